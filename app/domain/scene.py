@@ -1,0 +1,47 @@
+"""Scene: what is there, and what the robot can do."""
+
+from dataclasses import dataclass, field
+
+Position = tuple[float, float, float]
+"""x forward, y to the robot's left, z up from the table top [m]; origin at the robot's base."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneObject:
+    """One object, as the client described it or, once completed by its world, as it stands.
+
+    Only the name is needed: a world completes the rest (see ``WorldDescription.complete``).
+    """
+
+    name: str
+    kind: str | None = None
+    """A kind of the world's catalogue, or None for the name's best match."""
+    category: str | None = None
+    """What it is an instance of, as people say it: ``fruit``."""
+    colour: str | None = None
+    """A CSS colour name or ``#rrggbb``."""
+    size: Position | None = None
+    """Length, width, height of the bounding box at rest [m]."""
+    container: bool = False
+    """Other objects may be put into or onto it."""
+    position: Position | None = None
+    """Where its footprint's centre stands [m]; z is the height of its underside."""
+    yaw: float | None = None
+    """Rotation about z [rad]."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scene:
+    """A world's name, the objects in it and the actions on offer."""
+
+    world: str
+    objects: tuple[SceneObject, ...] = ()
+    actions: tuple[str, ...] | None = None
+    """Names of the world's action primitives on offer; None for all of them."""
+    environment: str | None = None
+    """One of the world's ready-made environments, where it has any."""
+    names: tuple[str, ...] = field(init=False, default=())
+    """The objects' names, in order."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "names", tuple(item.name for item in self.objects))

@@ -1,0 +1,102 @@
+"""World: what a plan acts on; WorldDescription: what it offers before anything runs."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+from app.domain.action import ActionSignature
+from app.domain.condition import Relation
+from app.domain.program import Argument
+from app.domain.scene import Scene
+from app.domain.trace import Frame
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stage:
+    """An action came to its next stage, or goes on with it: the caller may look in or stop."""
+
+    name: str
+    attempt: int = 1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ObjectKind:
+    """An entry of a world's catalogue."""
+
+    name: str
+    category: str
+    synonyms: tuple[str, ...]
+    container: bool
+    size: tuple[float, float, float]
+    """Length, width, height of the bounding box at rest, middle of its range [m]."""
+    colour: str
+
+
+class World(Protocol):
+    """One scene standing ready, or in the middle of being worked on."""
+
+    scene: Scene
+    """Completed: every object has its kind, size and place."""
+    time: float
+    """Simulated time since the rollout began [s]."""
+
+    def perform(self, action: str, arguments: tuple[Argument, ...]) -> Iterator[Stage]:
+        """Carry out one action; yields its stages, and at least every 0.2 s of simulated time.
+
+        Raises:
+            ActionFailure: it did not succeed; the world is left safe for the next action.
+        """
+        ...
+
+    def holds(self, relation: Relation) -> bool:
+        """Whether the relation is true as things stand now."""
+        ...
+
+    def facts(self) -> frozenset[Relation]:
+        """What is true now, of the relations worth telling (not every left_of and near)."""
+        ...
+
+    def settle(self) -> None:
+        """Let everything come to rest."""
+        ...
+
+    def frames(self) -> tuple[Frame, ...]:
+        """The frames recorded since the last call; a world without motion has none."""
+        ...
+
+    def save(self) -> bytes:
+        """The whole state, such that ``restore`` continues bit for bit."""
+        ...
+
+    def restore(self, state: bytes) -> None:
+        """Take up a state that ``save`` gave for the same scene and seed."""
+        ...
+
+
+class WorldDescription(Protocol):
+    """A kind of world, as the catalogue lists it."""
+
+    name: str
+    actions: tuple[ActionSignature, ...]
+    relations: dict[str, int]
+    """The relations it can decide, with their number of arguments."""
+
+    def catalogue(self) -> tuple[ObjectKind, ...]:
+        """The object kinds it knows."""
+        ...
+
+    def complete(self, scene: Scene, seed: int) -> Scene:
+        """The scene with everything its client left open filled in; the same seed, the same scene.
+
+        Raises:
+            SceneRefused: it cannot be built; every fault names its field.
+        """
+        ...
+
+    def open(self, scene: Scene, seed: int) -> World:
+        """A world with this scene (completed or not) in it, at rest, time 0."""
+        ...
+
+    def open_perfect(self, scene: Scene, seed: int) -> World:
+        """The same scene in the perfect executor: facts only, every admissible action succeeds."""
+        ...
