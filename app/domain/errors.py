@@ -19,6 +19,8 @@ ProgPromptError
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from app.domain.llm import Completion
+
 
 class ProgPromptError(Exception):
     """The base of all of them."""
@@ -88,7 +90,14 @@ class ModelUnavailable(ModelError):
 
 
 class CompletionFailed(ModelError):
-    """The model was asked, but what came back is unusable."""
+    """The model was asked, but what came back is unusable; it is kept as far as it came."""
+
+    def __init__(
+        self, message: str, *, prompt: str | None = None, completion: Completion | None = None
+    ) -> None:
+        self.prompt = prompt
+        self.completion = completion
+        super().__init__(message)
 
 
 class ActionFailure(ProgPromptError):

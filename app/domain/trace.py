@@ -81,7 +81,7 @@ class ActionStarted:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StageReached:
-    """An action came to its next stage: ``look``, ``reach``, ``grasp``, ``lift``, ``carry`` …"""
+    """An action came to its next stage: ``look``, ``reach``, ``grasp``, ``lift`` and so on."""
 
     line: int
     stage: str
@@ -178,6 +178,23 @@ ExecutionEvent = (
     | ExecutionFinished
 )
 Event = PlanningEvent | ExecutionEvent
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Checkpoint:
+    """A step of the plan is through: an execution restored here goes on with ``next_step``."""
+
+    next_step: int
+    """Index into the plan's steps."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tick:
+    """Some simulated time has passed: the moment to drain frames and to look for cancellation."""
+
+
+Happening = ExecutionEvent | Checkpoint | Tick
+"""What an execution yields; only its events are kept."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

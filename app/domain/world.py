@@ -37,8 +37,11 @@ class World(Protocol):
 
     scene: Scene
     """Completed: every object has its kind, size and place."""
-    time: float
-    """Simulated time since the rollout began [s]."""
+
+    @property
+    def time(self) -> float:
+        """Simulated time since the rollout began [s]."""
+        ...
 
     def perform(self, action: str, arguments: tuple[Argument, ...]) -> Iterator[Stage]:
         """Carry out one action; yields its stages, and at least every 0.2 s of simulated time.

@@ -1,0 +1,10 @@
+"""One thing into another; what the task does not speak of stays where it is."""
+from actions import grab_and_putin
+
+
+def put_the_spoon_in_the_mug():
+    objects = ['hammer', 'spoon', 'mug', 'sponge', 'jar']
+    # 1: put the spoon in the mug
+    grab_and_putin('spoon', 'mug')
+    assert 'spoon' in 'mug', grab_and_putin('spoon', 'mug')
+    # 2: Done
