@@ -1,0 +1,182 @@
+"""The one gate to HTTP: time limits, retries, and foreign errors turned into ours."""
+
+import json
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import httpx
+
+from app.domain.errors import CompletionFailed, ModelUnavailable
+
+RETRIED = frozenset({408, 409, 425, 429, 500, 502, 503, 504, 529})
+"""Answers after which the same request may well succeed."""
+LONGEST_WAIT = 30.0
+"""Between two attempts, whatever the other side asks for [s]."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Patience:
+    """How long to wait for the other side, and how often to ask again."""
+
+    connect: float = 5.0
+    """For the connection [s]."""
+    read: float = 120.0
+    """Between two pieces of an answer [s]."""
+    attempts: int = 4
+    first_wait: float = 0.5
+    """Before the second attempt; doubled before each further one [s]."""
+
+
+class Transport:
+    """Requests to one base URL."""
+
+    def __init__(
+        self,
+        base_url: str,
+        *,
+        key: str | None = None,
+        patience: Patience | None = None,
+        transport: httpx.BaseTransport | None = None,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        """Get ready; nothing is sent yet.
+
+        Args:
+            base_url: What the paths below are relative to.
+            key: Sent as bearer token.
+            patience: Time limits and retries.
+            transport: What carries the requests, where it is not the network.
+            sleep: Waits between attempts [s].
+        """
+        self._patience = patience or Patience()
+        self._sleep = sleep
+        self._place = base_url
+        headers = {"Authorization": f"Bearer {key}"} if key else {}
+        limits = httpx.Timeout(self._patience.read, connect=self._patience.connect)
+        with self._gate():
+            self._client = httpx.Client(
+                base_url=base_url,
+                headers=headers,
+                timeout=limits,
+                transport=transport,
+                follow_redirects=True,
+            )
+        self._place = self._client.base_url.netloc.decode() or base_url
+
+    def close(self) -> None:
+        """Let go of the connections."""
+        self._client.close()
+
+    def post(self, path: str, body: Mapping[str, object]) -> dict[str, Any]:
+        """Send JSON, get a JSON object.
+
+        Raises:
+            ModelUnavailable: it cannot be reached, or refuses us.
+            CompletionFailed: it refuses this request, or answers with something else.
+        """
+        with self.stream("POST", path, body=body) as response:
+            response.read()
+            return json_object(response.text)
+
+    @contextmanager
+    def stream(
+        self,
+        method: str,
+        path: str,
+        *,
+        body: Mapping[str, object] | None = None,
+        headers: Mapping[str, str] | None = None,
+    ) -> Iterator[httpx.Response]:
+        """The answer, successful, to be read piece by piece.
+
+        Raises:
+            ModelUnavailable: it cannot be reached, refuses us, or breaks off while it is read.
+            CompletionFailed: it refuses this request.
+        """
+        with self._gate():
+            request = self._client.build_request(method, path, json=body, headers=headers)
+            response = self._send(request)
+            try:
+                yield response
+            finally:
+                response.close()
+
+    def _send(self, request: httpx.Request) -> httpx.Response:
+        wait = self._patience.first_wait
+        for attempts_left in reversed(range(self._patience.attempts)):
+            try:
+                response = self._client.send(request, stream=True)
+            except (httpx.ConnectError, httpx.ConnectTimeout, httpx.RemoteProtocolError):
+                if not attempts_left:
+                    raise
+                asked = 0.0
+            else:
+                if response.status_code not in RETRIED or not attempts_left:
+                    return self._checked(response)
+                asked = _retry_after(response)
+                response.close()
+            self._sleep(min(max(wait, asked), LONGEST_WAIT))
+            wait *= 2
+        raise AssertionError("at least one attempt is made")
+
+    def _checked(self, response: httpx.Response) -> httpx.Response:
+        if response.is_success:
+            return response
+        response.read()
+        status, said = response.status_code, f"{self._place} says: {_message(response)}"
+        if status in (401, 403):
+            raise ModelUnavailable(f"the key was refused ({status}); set a valid one. {said}")
+        if status == 404:
+            raise ModelUnavailable(f"no such model or address (404): {response.url}. {said}")
+        if status in RETRIED:
+            raise ModelUnavailable(f"still {status} after several attempts. {said}")
+        raise CompletionFailed(f"the request was refused ({status}). {said}")
+
+    @contextmanager
+    def _gate(self) -> Iterator[None]:
+        try:
+            yield
+        except httpx.ConnectTimeout as error:
+            limit = self._patience.connect
+            raise ModelUnavailable(f"{self._place} gave no connection in {limit:g} s") from error
+        except httpx.TimeoutException as error:
+            limit = self._patience.read
+            raise ModelUnavailable(f"{self._place} sent nothing for {limit:g} s") from error
+        except (httpx.HTTPError, httpx.InvalidURL, httpx.StreamError) as error:
+            raise ModelUnavailable(f"{self._place} could not be reached: {error}") from error
+
+
+def json_object(text: str) -> dict[str, Any]:
+    """The text as a JSON object.
+
+    Raises:
+        CompletionFailed: it is none.
+    """
+    try:
+        value = json.loads(text)
+    except ValueError as error:
+        raise CompletionFailed(f"the answer is not JSON: {text[:200]!r}") from error
+    if not isinstance(value, dict):
+        raise CompletionFailed(f"the answer is not a JSON object: {text[:200]!r}")
+    return value
+
+
+def _message(response: httpx.Response) -> str:
+    """What the other side says, from the shapes in use: ``{"error": {"message": …}}`` or text."""
+    try:
+        said = response.json()
+        error = said["error"]
+        return str(error["message"] if isinstance(error, dict) else error)[:500]
+    except (ValueError, KeyError, TypeError):
+        return response.text.strip()[:200] or response.reason_phrase
+
+
+def _retry_after(response: httpx.Response) -> float:
+    """The pause it asks for, where it says it in seconds [s]."""
+    try:
+        return max(0.0, float(response.headers.get("Retry-After", 0)))
+    except ValueError:
+        return 0.0
