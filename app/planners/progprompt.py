@@ -1,0 +1,140 @@
+"""The paper's planner: prompt → completion → program."""
+
+import re
+
+from app.domain.errors import Cancelled, CompletionFailed, ProgramRefused
+from app.domain.llm import Completion, CompletionRequest, LanguageModel
+from app.domain.planner import Draft, Report, Task
+from app.domain.trace import CompletionGrew, PlanningStarted, PromptWritten
+from app.llm.grammar import program_grammar
+from app.planners import planners
+from app.programs.parser import parse_program
+from app.programs.prompt import write_cue, write_prompt
+
+STOP = ("\ndef ", "\n\n\n", "\nfrom ", "\nclass ", "\nif __name__", "```")
+STOP_CONSTRAINED = ("\n\n", "\ndef ")
+"""The grammar has an empty line at its end only."""
+PIECE = 12
+"""Characters the completion grows by, at least, before it is told of: a few tokens."""
+
+_FENCE = re.compile(r"\A\s*```\w*\n")
+_HEAD = re.compile(r"\A(?:[^\n]*\n)??def \w+\(\):[^\n]*\n(?:[ \t]+objects = [^\n]*\n)?")
+
+
+@planners.register("progprompt")
+class ProgPrompt:
+    """Asks once for the whole function, as the paper does."""
+
+    def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
+        """Ask the model for the program of this task.
+
+        Raises:
+            ModelError: the model could not be asked, or gave nothing usable.
+            Cancelled: ``report`` asked for it.
+        """
+        options = task.options
+        telling = _Telling(report)
+        telling.event(PlanningStarted(planner=options.name, model=model.name))
+        prompt = write_prompt(task)
+        telling.event(PromptWritten(characters=len(prompt)))
+        constrained = options.constrained and model.follows_grammar
+        request = CompletionRequest(
+            prompt=prompt,
+            max_tokens=options.max_tokens,
+            stop=STOP_CONSTRAINED if constrained else STOP,
+            temperature=options.temperature,
+            seed=options.seed,
+            grammar=_grammar(task) if constrained else None,
+        )
+        completion = model.complete(request, telling.text)
+        telling.end(completion)
+        program = write_cue(task) + function_body(completion.text)
+        if reason := _fault(completion, program):
+            raise CompletionFailed(reason, prompt=prompt, completion=completion)
+        return Draft(prompt=prompt, completion=completion, program=program)
+
+
+def function_body(text: str) -> str:
+    """The lines of a completion that belong to the function it goes on with.
+
+    It ends where a line is no longer indented. A chat model may wrap it in a fence, and repeat the
+    function's head.
+    """
+    text = _HEAD.sub("", _FENCE.sub("", text.replace("\r\n", "\n")), count=1)
+    lines: list[str] = []
+    for line in text.split("\n"):
+        if line.strip() and line[0] not in " \t":
+            break
+        lines.append(line.rstrip())
+    body = "\n".join(lines).strip("\n")
+    return f"{body}\n" if body else ""
+
+
+def _grammar(task: Task) -> str:
+    options = task.options
+    return program_grammar(
+        task.scene, task.actions, comments=options.comments, feedback=options.feedback
+    )
+
+
+def _fault(completion: Completion, program: str) -> str | None:
+    """Why nothing can be made of the completion, or None."""
+    start = _start(completion.text)
+    if not completion.text.strip():
+        return f"the model {completion.model} wrote nothing; try another model or wording"
+    if completion.finish == "length":
+        return (
+            f"the model {completion.model} came to no end within {completion.completion_tokens} "
+            f"tokens; it began with {start}"
+        )
+    if not function_body(completion.text):
+        return f"the model {completion.model} wrote no plan but {start}"
+    try:
+        parse_program(program)
+    except ProgramRefused as refused:
+        return f"what the model {completion.model} wrote is no plan: {refused}"
+    return None
+
+
+def _start(text: str) -> str:
+    text = text.strip()
+    return repr(text if len(text) <= 80 else f"{text[:80]}…")
+
+
+class _Telling:
+    """Tells of the completion in pieces as it grows, and remembers a wish to stop."""
+
+    def __init__(self, report: Report) -> None:
+        self._report = report
+        self._pending = ""
+        self._told = False
+        self._stopping = False
+
+    def event(self, event: PlanningStarted | PromptWritten | CompletionGrew) -> None:
+        """Tell of one event.
+
+        Raises:
+            Cancelled: whoever was told asked for it.
+        """
+        if self._report(event):
+            raise Cancelled("planning was cancelled")
+
+    def text(self, piece: str) -> bool:
+        """Take a new piece of the completion; True stops the generation."""
+        self._pending += piece
+        if not self._stopping and (len(self._pending) >= PIECE or "\n" in piece):
+            self._stopping = self._report(CompletionGrew(text=self._pending))
+            self._pending, self._told = "", True
+        return self._stopping
+
+    def end(self, completion: Completion) -> None:
+        """Tell of what is left of the completion.
+
+        Raises:
+            Cancelled: whoever was told asked for it.
+        """
+        if self._stopping or completion.finish == "cancelled":
+            raise Cancelled("planning was cancelled")
+        rest = self._pending if self._told else self._pending or completion.text
+        if rest:
+            self.event(CompletionGrew(text=rest))

@@ -1,0 +1,69 @@
+import pytest
+
+from app.domain.action import ActionSignature, Parameter
+from app.domain.instruction import Instruction
+from app.domain.llm import Completion
+from app.domain.planner import PlannerOptions, Task
+from app.domain.scene import Scene, SceneObject
+
+
+class CannedModel:
+    """Writes what it was told to, a few characters at a time, stopping where it is asked to."""
+
+    name = "canned"
+
+    def __init__(self, text, *, follows_grammar=True, streams=True):
+        self.text = text
+        self.follows_grammar = follows_grammar
+        self.streams = streams
+        self.requests = []
+
+    def complete(self, request, on_text=None):
+        self.requests.append(request)
+        ends = [self.text.find(stop) for stop in request.stop if stop in self.text]
+        text = self.text[: min(ends)] if ends else self.text
+        finish = "stop"
+        if len(text) > 4 * request.max_tokens:
+            text, finish = text[: 4 * request.max_tokens], "length"
+        for start in range(0, len(text) if self.streams else 0, 4):
+            if on_text and on_text(text[start : start + 4]):
+                text, finish = text[: start + 4], "cancelled"
+                break
+        return Completion(
+            text=text,
+            model=self.name,
+            finish=finish,
+            prompt_tokens=len(request.prompt) // 4,
+            completion_tokens=-(-len(text) // 4),
+            seconds=0.0,
+        )
+
+
+@pytest.fixture
+def canned():
+    return CannedModel
+
+
+@pytest.fixture
+def task():
+    def make(**options):
+        return Task(
+            scene=Scene(
+                world="tabletop",
+                objects=(
+                    SceneObject(name="banana"),
+                    SceneObject(name="bowl", container=True),
+                ),
+            ),
+            actions=(
+                ActionSignature(
+                    name="grab_and_putin",
+                    parameters=(Parameter(name="obj1"), Parameter(name="obj2", role="container")),
+                    meaning="Takes up one object and puts it down in another.",
+                ),
+            ),
+            instruction=Instruction("put the banana in the bowl"),
+            options=PlannerOptions(**options),
+        )
+
+    return make
