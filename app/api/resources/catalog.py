@@ -1,0 +1,97 @@
+"""The catalogue: worlds, objects, actions, models and planners there are."""
+
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query
+
+from app.api.parts import Using
+from app.api.schemas.base import Page
+from app.domain.action import ActionSignature
+from app.domain.errors import UnknownName
+from app.domain.world import WorldDescription
+from app.llm.models import catalogue
+from app.planners import planners
+from app.worlds import worlds
+
+router = APIRouter(prefix="/catalog", tags=["catalogue"])
+
+World = Annotated[str, Query(max_length=100, description="Name of the world.")]
+
+
+@router.get("/worlds")
+def list_worlds() -> Page:
+    """The worlds a scene can name."""
+    return _page(
+        {
+            "name": name,
+            "actions": [action.name for action in world.actions],
+            "relations": world.relations,
+        }
+        for name, world in worlds.items()
+    )
+
+
+@router.get("/objects")
+def list_objects(world: World = "tabletop") -> Page:
+    """The object kinds of a world."""
+    return _page(
+        {
+            "name": kind.name,
+            "category": kind.category,
+            "synonyms": list(kind.synonyms),
+            "container": kind.container,
+            "size": list(kind.size),
+            "colour": kind.colour,
+        }
+        for kind in _world(world).catalogue()
+    )
+
+
+@router.get("/actions")
+def list_actions(world: World = "tabletop") -> Page:
+    """The action primitives of a world."""
+    return _page(_action(action) for action in _world(world).actions)
+
+
+@router.get("/models")
+def list_models(parts: Using) -> Page:
+    """The language models a plan can name; `default` says which one that stands for."""
+    return _page(
+        {
+            "name": spec.name,
+            "title": spec.title,
+            "backend": spec.backend,
+            "licence": spec.licence,
+            "aliases": list(spec.aliases),
+            "default": parts.default_model in (spec.name, *spec.aliases),
+        }
+        for spec in catalogue(parts.llm)
+    )
+
+
+@router.get("/planners")
+def list_planners() -> Page:
+    """The planners a plan can name."""
+    return _page({"name": name, "meaning": _first_line(planners[name])} for name in planners)
+
+
+def _world(name: str) -> WorldDescription:
+    if name not in worlds:
+        raise UnknownName("world", name, worlds)
+    return worlds[name]
+
+
+def _action(action: ActionSignature) -> dict[str, Any]:
+    return {
+        "name": action.name,
+        "parameters": [{"name": one.name, "role": one.role} for one in action.parameters],
+        "meaning": action.meaning,
+    }
+
+
+def _first_line(planner: object) -> str:
+    return (type(planner).__doc__ or "").strip().split("\n")[0]
+
+
+def _page(entries: Any) -> Page:  # noqa: ANN401 - an iterable of JSON objects
+    return Page(items=list(entries), next=None)

@@ -1,0 +1,146 @@
+"""Plans: ask for one, read it, follow it, carry it out, stop it."""
+
+from typing import Annotated
+
+from fastapi import APIRouter, Header, Query, Response
+from sqlalchemy.orm import Session
+
+from app.api.paging import Cursor, Limit, position
+from app.api.parts import Parts, Using
+from app.api.schemas.base import Page
+from app.api.schemas.executions import ExecutionShown, show_execution
+from app.api.schemas.plans import ExecutionGiven, PlanGiven, PlanShown, show_plan
+from app.api.streams import Ending, event_stream
+from app.api.submission import complete_scene, submit
+from app.domain.errors import Conflict
+from app.storage import events, executions, plans
+from app.storage.base import now
+from app.storage.documents import read_scene, scene_document
+from app.storage.events import EventRow
+from app.storage.plans import PlanRow, Status
+
+router = APIRouter(prefix="/plans", tags=["plans"])
+
+Key = Annotated[
+    str | None,
+    Header(
+        min_length=1,
+        max_length=255,
+        description="Makes the request safe to repeat: the same key, the same plan.",
+    ),
+]
+
+
+@router.post("", status_code=202, response_model=PlanShown)
+def create_plan(request: PlanGiven, parts: Using, idempotency_key: Key = None) -> Response:
+    """Ask for a plan; it is made, and carried out, while the answer is already here."""
+    row = submit(parts, request, idempotency_key)
+    return _accepted(parts, row)
+
+
+@router.get("", response_model=Page)
+def list_plans(
+    parts: Using,
+    limit: Limit = 20,
+    cursor: Cursor = None,
+    status: Annotated[Status | None, Query(description="Only plans of this status.")] = None,
+) -> Page:
+    """Plans, newest first."""
+    with parts.database.reading() as session:
+        rows = plans.page(session, before=position(cursor), limit=limit + 1, status=status)
+        of_plans = executions.of_plans(session, [row.id for row in rows])
+    shown = [show_plan(row, of_plans[row.id]).model_dump(mode="json") for row in rows[:limit]]
+    return Page(items=shown, next=str(rows[limit - 1].serial) if len(rows) > limit else None)
+
+
+@router.get("/{plan_id}", response_model=PlanShown)
+def read_plan(plan_id: str, parts: Using) -> Response:
+    """One plan, with everything that came of it so far."""
+    with parts.database.reading() as session:
+        return _json(_shown(session, plans.get(session, plan_id)))
+
+
+@router.get("/{plan_id}/events", response_class=Response)
+async def follow_plan(
+    plan_id: str, parts: Using, last_event_id: Annotated[str | None, Header()] = None
+) -> Response:
+    """The events of its planning as Server-Sent Events, until the planning is over."""
+
+    def read(last: int) -> tuple[Ending, list[EventRow]]:
+        with parts.database.reading() as session:
+            row = plans.get(session, plan_id)
+            ids = [execution_id for execution_id, _ in executions.of_plan(session, plan_id)]
+            over = row.status not in ("queued", "planning")
+            ending = {"status": row.status, "executions": ids} if over else None
+            return ending, events.after(session, plan_id, last)
+
+    return await event_stream(parts.tail, read, last_event_id)
+
+
+@router.post("/{plan_id}/executions", status_code=202, response_model=ExecutionShown)
+def execute_plan(plan_id: str, parts: Using, request: ExecutionGiven | None = None) -> Response:
+    """Carry the plan out once more, or for the first time where it was only planned."""
+    with parts.database.reading() as session:
+        row = plans.get(session, plan_id)
+    seed = row.seed if request is None or request.seed is None else request.seed
+    scene = row.scene
+    if seed != row.seed:
+        scene = scene_document(complete_scene(read_scene(row.given_scene), seed))
+    with parts.database.transaction() as session:
+        row = plans.get(session, plan_id, lock=True)
+        _must_be_runnable(row)
+        row.cancel_requested = row.cancel_requested and row.status == "executing"
+        execution = parts.handover.approved(session, row, seed=seed, scene=scene)
+        shown = show_execution(execution, row, [])
+    return _json(shown, 202, {"Location": f"/executions/{execution.id}"})
+
+
+@router.post("/{plan_id}/approve", status_code=202, response_model=PlanShown)
+def approve_plan(plan_id: str, parts: Using) -> Response:
+    """Let a plan that awaits approval be carried out."""
+    with parts.database.transaction() as session:
+        row = plans.get(session, plan_id, lock=True)
+        if row.status != "awaiting_approval":
+            raise Conflict(f"the plan is {row.status}; only one that awaits approval can get it")
+        parts.handover.approved(session, row, seed=row.seed, scene=row.scene)
+        return _json(_shown(session, row), 202)
+
+
+@router.post("/{plan_id}/cancel", status_code=202, response_model=PlanShown)
+def cancel_plan(plan_id: str, parts: Using) -> Response:
+    """Stop planning, or carrying out; what happened until then is kept."""
+    with parts.database.transaction() as session:
+        row = plans.get(session, plan_id, lock=True)
+        if row.status in ("queued", "awaiting_approval"):
+            row.status, row.finished_at = "cancelled", now()
+        elif row.status in ("planning", "executing"):
+            executions.request_cancel(session, plan_id)
+        elif row.status != "cancelled":
+            raise Conflict(f"the plan is {row.status} already")
+        row.cancel_requested = True
+        session.flush()
+        return _json(_shown(session, row), 202)
+
+
+def _must_be_runnable(row: PlanRow) -> None:
+    if row.program is None or row.status in ("queued", "planning"):
+        raise Conflict(f"the plan is {row.status} and has no program to carry out")
+    if row.status == "awaiting_approval":
+        raise Conflict("the plan awaits approval: POST /plans/{id}/approve")
+
+
+def _shown(session: Session, row: PlanRow) -> PlanShown:
+    return show_plan(row, [found for found, _ in executions.of_plan(session, row.id)])
+
+
+def _accepted(parts: Parts, row: PlanRow) -> Response:
+    with parts.database.reading() as session:
+        shown = _shown(session, row)
+    return _json(shown, 202, {"Location": f"/plans/{row.id}"})
+
+
+def _json(
+    shown: PlanShown | ExecutionShown, status: int = 200, headers: dict[str, str] | None = None
+) -> Response:
+    """Written once: a response model would be checked and written a second time."""
+    return Response(shown.model_dump_json(), status, headers, media_type="application/json")

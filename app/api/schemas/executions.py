@@ -1,0 +1,115 @@
+"""Executions as clients see them."""
+
+from collections.abc import Sequence
+from datetime import datetime
+from typing import Any, Literal
+
+from pydantic import Field
+
+from app.api.schemas.base import Shown
+from app.api.schemas.scenes import SceneShown
+from app.domain.trace import ActionFailed, ActionPerformed, ActionStarted, CallSkipped, Event
+from app.storage.executions import ExecutionRow, Status
+from app.storage.plans import PlanRow
+
+
+class StepOutcome(Shown):
+    """What became of one action call."""
+
+    line: int
+    action: str | None
+    arguments: list[str | float]
+    outcome: Literal["pending", "running", "performed", "failed", "skipped"]
+    attempts: int | None = None
+    stage: str | None = Field(
+        default=None, description="Where it failed: `grounding`, `grasp`, `lift` …"
+    )
+    reason: str | None = Field(default=None, description="Why it failed or was skipped.")
+    started: float | None = Field(default=None, description="Simulated time [s].")
+    finished: float | None = Field(default=None, description="Simulated time [s].")
+
+
+class FailureShown(Shown):
+    """The first step that did not succeed."""
+
+    line: int
+    stage: str
+    reason: str
+
+
+class ExecutionShown(Shown):
+    """One run of a plan in its world."""
+
+    id: str
+    plan_id: str
+    status: Status
+    seed: int
+    scene: SceneShown = Field(description="As it stood at the start.")
+    steps: list[StepOutcome] = Field(
+        description="Attempted calls in the order of their turns, recoveries included, then those to come."
+    )
+    scores: dict[str, float | None] | None = Field(description="`sr`, `gcr`, `exec`, `precision`.")
+    final_state: list[str] | None = Field(description="The facts true at the end.")
+    failure: FailureShown | None
+    error: str | None = Field(description="Why it did not succeed.")
+    created_at: datetime
+    started_at: datetime | None
+    finished_at: datetime | None
+
+
+def show_execution(row: ExecutionRow, plan: PlanRow, events: Sequence[Event]) -> ExecutionShown:
+    """The execution as clients see it."""
+    names = ExecutionShown.model_fields.keys() - {"steps"}
+    return ExecutionShown.model_validate(
+        {**{name: getattr(row, name) for name in names}, "steps": _outcomes(plan.steps, events)}
+    )
+
+
+def _outcomes(steps: Sequence[dict[str, Any]], events: Sequence[Event]) -> list[StepOutcome]:
+    reached: list[StepOutcome] = []
+    for event in events:
+        match event:
+            case ActionStarted(line=line, action=action, arguments=arguments, time=time):
+                reached.append(
+                    StepOutcome(
+                        line=line,
+                        action=action,
+                        arguments=list(arguments),
+                        outcome="running",
+                        started=time,
+                    )
+                )
+            case ActionPerformed(attempts=attempts, time=time):
+                _update(reached, outcome="performed", attempts=attempts, finished=time)
+            case ActionFailed(stage=stage, reason=reason, time=time):
+                _update(reached, outcome="failed", stage=stage, reason=reason, finished=time)
+            case CallSkipped(line=line, reason=reason):
+                reached.append(
+                    StepOutcome(
+                        line=line,
+                        action=None,
+                        arguments=[],
+                        outcome="skipped",
+                        stage="grounding",
+                        reason=reason,
+                    )
+                )
+            case _:
+                pass
+    lines = {step.line for step in reached}
+    to_come = [
+        StepOutcome(
+            line=step["line"],
+            action=step["action"],
+            arguments=step["arguments"],
+            outcome="pending",
+        )
+        for step in steps
+        if step["line"] not in lines
+    ]
+    return reached + to_come
+
+
+def _update(reached: list[StepOutcome], **values: Any) -> None:  # noqa: ANN401
+    if reached:
+        reached[-1] = reached[-1].model_copy(update=values)

@@ -1,0 +1,109 @@
+"""Scenes as clients write them."""
+
+from datetime import datetime
+from typing import Annotated
+
+from pydantic import Field
+
+from app.api.schemas.base import Given, Shown, Text
+from app.domain.scene import Scene, SceneObject
+
+MAX_OBJECTS = 500
+Metres = Annotated[float, Field(ge=-100, le=100)]
+Size = Annotated[float, Field(gt=0, le=100)]
+Name = Annotated[Text, Field(min_length=1, max_length=100)]
+
+
+class ObjectGiven(Given):
+    """One object; only its name is needed."""
+
+    name: Name = Field(description="Unique in its scene; what programs and goals call it.")
+    kind: Name | None = Field(
+        default=None,
+        description="A kind of the catalogue; default the name's best match, else a box.",
+    )
+    category: Name | None = Field(
+        default=None, description="What it is an instance of, like `fruit`."
+    )
+    colour: Name | None = Field(default=None, description="A CSS colour name or `#rrggbb`.")
+    size: tuple[Size, Size, Size] | None = Field(
+        default=None, description="Length, width, height of its bounding box at rest [m]."
+    )
+    container: bool = Field(default=False, description="Whether others may be put into or onto it.")
+    position: tuple[Metres, Metres] | tuple[Metres, Metres, Metres] | None = Field(
+        default=None,
+        description="Where its footprint's centre stands, x, y and optionally the height z of its "
+        "underside [m], in the table frame; sampled free of collision where missing.",
+    )
+    yaw: Annotated[float, Field(ge=-1000, le=1000)] | None = Field(
+        default=None, description="Rotation about the vertical [rad]."
+    )
+
+    def to_domain(self) -> SceneObject:
+        """The object."""
+        values = self.model_dump(exclude={"position"})
+        position = None if self.position is None else (*self.position, 0.0)[:3]
+        return SceneObject(**values, position=position)  # pyright: ignore[reportArgumentType]
+
+
+class SceneGiven(Given):
+    """What stands there, and what the robot can do with it."""
+
+    world: Name = Field(default="tabletop", description="A world of the catalogue.")
+    objects: list[ObjectGiven] = Field(
+        default_factory=list, max_length=MAX_OBJECTS, description="The objects, in any order."
+    )
+    actions: list[Name] | None = Field(
+        default=None,
+        min_length=1,
+        max_length=100,
+        description="Names of the world's action primitives on offer; null for all of them.",
+    )
+    environment: Name | None = Field(
+        default=None, description="One of the world's ready-made environments, where it has any."
+    )
+
+    def to_domain(self) -> Scene:
+        """The scene."""
+        return Scene(
+            world=self.world,
+            objects=tuple(item.to_domain() for item in self.objects),
+            actions=None if self.actions is None else tuple(self.actions),
+            environment=self.environment,
+        )
+
+
+class ObjectShown(Shown):
+    """One object, everything its client left open filled in."""
+
+    name: str
+    kind: str | None
+    category: str | None
+    colour: str | None
+    size: tuple[float, float, float] | None
+    container: bool
+    position: tuple[float, float, float] | None
+    yaw: float | None
+
+
+class SceneShown(Shown):
+    """A scene, completed by its world."""
+
+    world: str
+    objects: list[ObjectShown]
+    actions: list[str] | None
+    environment: str | None
+
+
+class SceneStored(SceneShown):
+    """A scene kept for later plans, as its client described it."""
+
+    id: str = Field(description="For `scene_id` of a plan.")
+    created_at: datetime
+
+
+class SceneValidated(Shown):
+    """A scene that can be planned in."""
+
+    valid: bool = Field(description="Always true; what is not valid is a problem document.")
+    scene: SceneShown = Field(description="The scene as its world completes it from the seed.")

@@ -1,0 +1,141 @@
+"""Executions: one plan run once, with the checkpoint from which it can be taken up again."""
+
+from collections.abc import Collection
+from datetime import datetime
+from typing import Any, Literal
+
+from sqlalchemy import (
+    JSON,
+    BigInteger,
+    ForeignKey,
+    LargeBinary,
+    String,
+    Text,
+    bindparam,
+    func,
+    select,
+    update,
+)
+from sqlalchemy.orm import Mapped, Session, deferred, mapped_column
+
+from app.domain.errors import NotThere
+from app.storage.base import Base, Moment
+
+Status = Literal["queued", "executing", "succeeded", "failed", "cancelled"]
+UNFINISHED: tuple[Status, ...] = ("queued", "executing")
+
+
+class ExecutionRow(Base):
+    """One run of a plan in its world."""
+
+    __tablename__ = "executions"
+
+    serial: Mapped[int] = mapped_column(primary_key=True)
+    id: Mapped[str] = mapped_column(String(32), unique=True)
+    plan_id: Mapped[str] = mapped_column(ForeignKey("plans.id"), index=True)
+    created_at: Mapped[datetime] = mapped_column(Moment)
+    started_at: Mapped[datetime | None] = mapped_column(Moment)
+    finished_at: Mapped[datetime | None] = mapped_column(Moment)
+    status: Mapped[Status] = mapped_column(String(20), index=True)
+    seed: Mapped[int] = mapped_column(BigInteger)
+    scene: Mapped[dict[str, Any]] = mapped_column(JSON)
+    """As its world completed it from this execution's seed."""
+
+    scores: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))
+    final_state: Mapped[list[str] | None] = mapped_column(JSON(none_as_null=True))
+    failure: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))
+    """The first step that failed: its line, stage and reason."""
+    error: Mapped[str | None] = mapped_column(Text)
+
+    attempts: Mapped[int] = mapped_column(default=0)
+    """How often a worker died over it since the last checkpoint."""
+    cancel_requested: Mapped[bool] = mapped_column(default=False)
+    checkpoint: Mapped[bytes | None] = deferred(mapped_column(LargeBinary))
+    """The world's own state after the last finished step."""
+    next_step: Mapped[int] = mapped_column(default=0)
+    next_event: Mapped[int] = mapped_column(default=0)
+    next_frame: Mapped[int] = mapped_column(default=0)
+
+
+_BY_ID = select(ExecutionRow).where(ExecutionRow.id == bindparam("id"))
+_OF_PLAN = (
+    select(ExecutionRow.id, ExecutionRow.status)
+    .where(ExecutionRow.plan_id == bindparam("plan_id"))
+    .order_by(ExecutionRow.serial)
+)
+
+
+def get(session: Session, execution_id: str, *, lock: bool = False) -> ExecutionRow:
+    """One execution; with ``lock`` nobody else changes it until the transaction ends.
+
+    Raises:
+        NotThere: no execution has this id.
+    """
+    row = session.scalar(_BY_ID.with_for_update() if lock else _BY_ID, {"id": execution_id})
+    if row is None:
+        raise NotThere("execution", execution_id)
+    return row
+
+
+def of_plan(session: Session, plan_id: str) -> list[tuple[str, Status]]:
+    """Ids and statuses of a plan's executions, oldest first."""
+    found = session.execute(_OF_PLAN, {"plan_id": plan_id})
+    return [(execution_id, status) for execution_id, status in found]
+
+
+def of_plans(session: Session, plan_ids: Collection[str]) -> dict[str, list[str]]:
+    """Ids of the executions of several plans, oldest first."""
+    query = (
+        select(ExecutionRow.plan_id, ExecutionRow.id)
+        .where(ExecutionRow.plan_id.in_(plan_ids))
+        .order_by(ExecutionRow.serial)
+    )
+    found: dict[str, list[str]] = {plan_id: [] for plan_id in plan_ids}
+    for plan_id, execution_id in session.execute(query):
+        found[plan_id].append(execution_id)
+    return found
+
+
+def page(
+    session: Session, *, before: int | None, limit: int, plan_id: str | None = None
+) -> list[ExecutionRow]:
+    """The newest executions that came before ``before``."""
+    query = select(ExecutionRow).order_by(ExecutionRow.serial.desc()).limit(limit)
+    if before is not None:
+        query = query.where(ExecutionRow.serial < before)
+    if plan_id is not None:
+        query = query.where(ExecutionRow.plan_id == plan_id)
+    return list(session.scalars(query))
+
+
+def change(
+    session: Session, execution_id: str, *, when: Collection[Status], **values: object
+) -> bool:
+    """Set ``values`` if the execution's status is one of ``when``; False where it was not."""
+    query = (
+        update(ExecutionRow)
+        .where(ExecutionRow.id == execution_id, ExecutionRow.status.in_(when))
+        .values(**values)
+    )
+    return session.execute(query).rowcount > 0  # pyright: ignore[reportAttributeAccessIssue]
+
+
+def cancelled(session: Session, execution_id: str) -> bool:
+    """Whether somebody asked for it to stop."""
+    query = select(ExecutionRow.cancel_requested).where(ExecutionRow.id == execution_id)
+    return bool(session.scalar(query))
+
+
+def request_cancel(session: Session, plan_id: str) -> None:
+    """Ask all unfinished executions of a plan to stop."""
+    session.execute(
+        update(ExecutionRow)
+        .where(ExecutionRow.plan_id == plan_id, ExecutionRow.status.in_(UNFINISHED))
+        .values(cancel_requested=True)
+    )
+
+
+def count_by_status(session: Session) -> dict[str, int]:
+    """How many executions there are, by status."""
+    query = select(ExecutionRow.status, func.count()).group_by(ExecutionRow.status)
+    return {found: number for found, number in session.execute(query)}  # noqa: C416 - rows are no plain pairs

@@ -1,0 +1,103 @@
+"""Simulation: the workflow that carries a plan out in its world and scores it."""
+
+import logging
+from typing import Any
+
+from app.domain.errors import Cancelled, ProgPromptError
+from app.domain.goal import Goal
+from app.domain.trace import Trace
+from app.programs.conditions import parse_condition
+from app.rollout import carry_out, score, understand
+from app.storage import events, executions, plans
+from app.storage.base import now
+from app.storage.database import Database
+from app.storage.documents import read_scene
+from app.storage.executions import ExecutionRow
+from app.storage.handover import Handover
+from app.storage.plans import PlanRow
+from app.worker.execution_recorder import ExecutionRecorder
+from app.worker.outcome import Outcome, outcome
+from app.worlds import worlds
+
+MAX_ATTEMPTS = 3
+log = logging.getLogger(__name__)
+
+
+class Simulation:
+    """What a worker of the simulation queue does."""
+
+    def __init__(self, database: Database, handover: Handover) -> None:
+        self._database = database
+        self._handover = handover
+
+    def __call__(self, execution_id: str, /) -> None:
+        """Carry it out. Whatever goes wrong ends as a failed execution with its reason."""
+        taken = self._take(execution_id)
+        if taken is None:
+            return
+        try:
+            self._end(execution_id, self._carry_out(*taken))
+        except Cancelled:
+            self._end(execution_id, Outcome(status="cancelled"))
+        except Exception as error:
+            self._end(execution_id, Outcome(status="failed", error=_reason(error)))
+
+    def stopping(self, execution_id: str, /) -> None:
+        """The worker stops in good order in the middle of this execution: not its fault."""
+        with self._database.transaction() as session:
+            executions.change(
+                session, execution_id, when=("executing",), attempts=ExecutionRow.attempts - 1
+            )
+
+    def _take(self, execution_id: str) -> tuple[ExecutionRow, PlanRow] | None:
+        with self._database.transaction() as session:
+            taken = executions.change(
+                session,
+                execution_id,
+                when=executions.UNFINISHED,
+                status="executing",
+                attempts=ExecutionRow.attempts + 1,
+            )
+            row = executions.get(session, execution_id)
+            row.started_at = row.started_at or now()
+            _ = row.checkpoint  # loaded while the session lasts
+            return (row, plans.get(session, row.plan_id)) if taken else None
+
+    def _carry_out(self, row: ExecutionRow, asked: PlanRow) -> Outcome:
+        if row.attempts > MAX_ATTEMPTS:
+            raise ProgPromptError(
+                f"the execution was given up: its worker died {MAX_ATTEMPTS} times at this step"
+            )
+        scene = read_scene(row.scene)
+        description = worlds[scene.world]
+        _, plan = understand(asked.program or "", scene, description)
+        goal = Goal(tuple(parse_condition(text) for text in asked.goal))
+        world = description.open(scene, row.seed)
+        if row.checkpoint is not None:
+            world.restore(row.checkpoint)
+        recorder = ExecutionRecorder(self._database, row, world)
+        carry_out(plan, goal, world, recorder.record, start=row.next_step)
+        recorder.flush()
+        with self._database.reading() as session:
+            trace = Trace(events=tuple(events.of_execution(session, row.id)))
+        return outcome(trace.events, score(trace))
+
+    def _end(self, execution_id: str, ended: Outcome) -> None:
+        values: dict[str, Any] = {
+            name: getattr(ended, name)
+            for name in ("status", "error", "failure", "scores", "final_state")
+        }
+        with self._database.transaction() as session:
+            row = executions.get(session, execution_id)
+            executions.change(
+                session, execution_id, when=("executing",), finished_at=now(), **values
+            )
+            plan = plans.get(session, row.plan_id, lock=True)
+            self._handover.executed(session, plan, status=ended.status, error=ended.error)
+
+
+def _reason(error: Exception) -> str:
+    if isinstance(error, ProgPromptError):
+        return str(error)
+    log.exception("an execution failed unexpectedly")
+    return f"unexpected {type(error).__name__}: {error}"

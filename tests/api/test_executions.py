@@ -1,0 +1,93 @@
+import pytest
+
+from app.domain.trace import Frame
+from app.storage import executions, frames
+
+PROGRAM = "def f():\n    grab_and_putin('banana', 'bowl')\n"
+
+
+@pytest.fixture
+def queued(client, request_body):
+    plan = client.post("/plans", json=request_body | {"program": PROGRAM}).json()
+    return plan["id"], plan["executions"][0]
+
+
+def test_an_execution_tells_what_became_of_every_step(client, executed):
+    execution = client.get(f"/executions/{executed[1]}").json()
+    [step] = execution["steps"]
+    assert (step["line"], step["outcome"], step["attempts"]) == (4, "performed", 1)
+    assert execution["scores"] == {"sr": 1, "gcr": 1, "exec": 1, "precision": 1}
+    assert execution["final_state"] == ["in(banana, bowl)"]
+    assert (execution["failure"], execution["error"]) == (None, None)
+
+
+def test_steps_to_come_are_pending(client, queued):
+    execution = client.get(f"/executions/{queued[1]}").json()
+    assert (execution["status"], execution["steps"][0]["outcome"]) == ("queued", "pending")
+
+
+def test_a_failed_execution_tells_line_stage_and_reason(client, request_body, carry_out):
+    program = (
+        "def f():\n"
+        "    grab_and_putin('bowl', 'banana')\n"
+        "    # the bowl is on it now\n"
+        "    grab_and_putin('banana', 'bowl')\n"
+    )
+    plan = client.post("/plans", json=request_body | {"program": program}).json()
+    carry_out(plan["executions"][0])
+    execution = client.get(f"/executions/{plan['executions'][0]}").json()
+    assert execution["status"] == "failed"
+    assert execution["failure"]["line"] == 4
+    assert (execution["failure"]["stage"], execution["steps"][1]["outcome"]) == ("check", "failed")
+    assert "not reached: in(banana, bowl)" in execution["error"]
+    assert client.get(f"/plans/{plan['id']}").json()["error"] == execution["error"]
+
+
+def test_a_queued_execution_is_cancelled_at_once_and_its_plan_with_it(client, queued, carry_out):
+    plan_id, execution_id = queued
+    assert client.post(f"/executions/{execution_id}/cancel").json()["status"] == "cancelled"
+    carry_out(execution_id)
+    assert client.get(f"/executions/{execution_id}").json()["status"] == "cancelled"
+    assert client.get(f"/plans/{plan_id}").json()["status"] == "cancelled"
+
+
+def test_an_execution_that_is_over_cannot_be_cancelled(client, executed, problem_of):
+    problem_of(client.post(f"/executions/{executed[1]}/cancel"), 409)
+
+
+def test_a_cancelled_plan_can_be_carried_out_anew(client, queued, carry_out):
+    plan_id, _ = queued
+    client.post(f"/plans/{plan_id}/cancel")
+    second = client.post(f"/plans/{plan_id}/executions").json()["id"]
+    carry_out(second)
+    assert client.get(f"/executions/{second}").json()["status"] == "succeeded"
+
+
+def test_executions_can_be_listed_by_plan(client, executed, queued):
+    listed = client.get("/executions", params={"plan_id": queued[0]}).json()["items"]
+    assert [execution["id"] for execution in listed] == [queued[1]]
+
+
+def test_frames_are_told_as_packed_numbers_from_any_index_on(client, parts, queued):
+    with parts.database.transaction() as session:
+        moments = [Frame(time=float(n), positions=(1.0, 2.0)) for n in range(5)]
+        frames.append(session, queued[1], 0, moments)
+        executions.get(session, queued[1])
+    answer = client.get(f"/executions/{queued[1]}/frames", params={"start": 2})
+    assert (answer.headers["frame-width"], answer.headers["frame-count"]) == ("3", "3")
+    assert len(answer.content) == 3 * 3 * 4
+
+
+@pytest.mark.physics
+def test_a_recording_is_a_file_to_download(client, request_body):
+    body = request_body | {"program": PROGRAM}
+    body["scene"] = body["scene"] | {"world": "tabletop"}
+    execution_id = client.post("/plans", json=body).json()["executions"][0]
+    answer = client.get(f"/executions/{execution_id}/recording")
+    assert answer.status_code == 200
+    assert f"{execution_id}.viser" in answer.headers["content-disposition"]
+    assert len(answer.content) > 1000
+
+
+def test_a_world_without_motion_has_no_recording(client, executed, problem_of):
+    problem_of(client.get(f"/executions/{executed[1]}/recording"), 404)

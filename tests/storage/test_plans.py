@@ -1,0 +1,35 @@
+import pytest
+
+from app.domain.errors import NotThere
+from app.storage import plans
+
+
+def test_an_unknown_plan_is_not_there(database):
+    with database.reading() as session, pytest.raises(NotThere, match="pl_none"):
+        plans.get(session, "pl_none")
+
+
+def test_a_change_happens_only_in_the_statuses_it_is_meant_for(database, make_plan):
+    plan = make_plan(status="cancelled")
+    with database.transaction() as session:
+        assert not plans.change(session, plan.id, when=("queued",), status="planning")
+        assert plans.change(session, plan.id, when=("cancelled",), error="why")
+    with database.reading() as session:
+        found = plans.get(session, plan.id)
+    assert (found.status, found.error) == ("cancelled", "why")
+
+
+def test_pages_run_from_the_newest_to_the_oldest_without_gap_or_overlap(database, make_plan):
+    made = [make_plan().id for _ in range(7)]
+    seen, before = [], None
+    with database.reading() as session:
+        while rows := plans.page(session, before=before, limit=3):
+            seen += [row.id for row in rows]
+            before = rows[-1].serial
+    assert seen == made[::-1]
+
+
+def test_times_come_back_in_utc(database, make_plan):
+    plan = make_plan()
+    with database.reading() as session:
+        assert plans.get(session, plan.id).created_at == plan.created_at
