@@ -5,9 +5,11 @@ nothing but the task.
 """
 
 import unicodedata
+from collections.abc import Sequence
 
+from app.domain.action import ActionSignature
 from app.domain.instruction import Instruction
-from app.domain.planner import Task
+from app.domain.planner import PlannerOptions, Task
 from app.domain.program import literal
 from app.programs.examples import ablate, choose_examples
 from app.programs.printer import INDENT, import_line, objects_line, print_program
@@ -15,13 +17,16 @@ from app.programs.printer import INDENT, import_line, objects_line, print_progra
 
 def write_prompt(task: Task) -> str:
     """The whole prompt; the model is to go on with the body of its last function."""
-    options = task.options
-    examples = choose_examples(task.scene.world, task.actions, options.examples)
+    return write_preamble(task.scene.world, task.actions, task.options) + write_cue(task)
+
+
+def write_preamble(world: str, actions: Sequence[ActionSignature], options: PlannerOptions) -> str:
+    """What all prompts of a world begin with: the import line and the example programs."""
     shown = (
         print_program(ablate(each, comments=options.comments, feedback=options.feedback))
-        for each in examples
+        for each in choose_examples(world, actions, options.examples)
     )
-    return "\n".join((f"{import_line(task.actions)}\n", *shown, write_cue(task)))
+    return "\n".join((f"{import_line(actions)}\n", *shown, ""))
 
 
 def write_cue(task: Task) -> str:

@@ -1,6 +1,7 @@
 """Models: the language models a planning worker holds open."""
 
 from app.domain.llm import LanguageModel
+from app.llm.backend import Warmable
 from app.llm.models import LlmConfig, find_model, open_model
 
 
@@ -27,3 +28,13 @@ class Models:
     def load_default(self) -> str:
         """Open the default model; what it is called."""
         return f"holds {self('default').name}"
+
+    def warm_default(self, preamble: str) -> str:
+        """Have the default model read what all prompts begin with, where that can be kept.
+
+        Without it the first plan after a start reads some hundred tokens that never change.
+        """
+        model = self("default")
+        if not isinstance(model, Warmable):
+            return "has nothing to warm"
+        return "remembers its preamble" if model.warm(preamble) else "has read its preamble"

@@ -111,17 +111,18 @@ class Relief:
         own[tuple(cells.T)] = True
         own = np.asarray(ndimage.binary_closing(own, iterations=2), bool)
         level = own & (self.heights > float(np.quantile(cloud.points[:, 2], 0.98)) - FLAT)
-        areas, count = ndimage.label(level)  # pyright: ignore[reportGeneralTypeIssues]
+        found, count = ndimage.label(level)  # pyright: ignore[reportGeneralTypeIssues]
+        areas: NDArray[np.int32] = np.asarray(found, np.int32)
         if count == 0:
             return level
         largest = 1 + int(np.argmax(np.bincount(areas.ravel())[1:]))
-        return np.asarray(areas) == largest
+        return areas == largest
 
     def _cells(self, places: Array) -> NDArray[np.int_]:
         return np.round((places - self._origin) / CELL).astype(int)
 
     def _contains(self, cells: NDArray[np.int_]) -> NDArray[np.bool_]:
-        return ((cells >= 0) & (cells < self._count)).all(axis=-1)
+        return np.asarray(((cells >= 0) & (cells < self._count)).all(axis=-1))
 
 
 def _lower_hull(offsets: NDArray[np.int_], heights: Array) -> tuple[NDArray[np.int_], Array]:
