@@ -17,7 +17,7 @@ from pydantic import BaseModel, Field, ValidationError
 from websockets.asyncio.client import ClientConnection
 from websockets.typing import Subprotocol
 
-from app.domain.errors import NotThere
+from app.domain.errors import Conflict, NotThere
 from app.view.screening import Screening
 from app.view.viewer import Viewer
 
@@ -47,7 +47,10 @@ class Command(BaseModel, extra="forbid"):
 
 
 def _viewer(connection: HTTPConnection) -> Viewer:
-    return connection.app.state.viewer
+    viewer = connection.app.state.viewer
+    if viewer is None:
+        raise Conflict("this service runs without a 3D view")
+    return viewer
 
 
 Shown = Annotated[Viewer, Depends(_viewer)]

@@ -1,0 +1,101 @@
+"""Frames to scene nodes: a compiled model drawn for one watcher, or into a recording."""
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+import viser
+
+from app.view.solids import body_glb
+
+CAMERA_POSITION = (1.8, -1.1, 1.0)
+CAMERA_TARGET = (0.4, 0.0, 0.14)
+"""From the front right, a little above: the arm is seen working towards the watcher [m]."""
+CAMERA_FOV = 0.7
+"""Vertical angle of view [rad]."""
+STILL = 1e-6
+"""Below this a pose has not changed [m], and for quaternions' components."""
+
+
+@dataclass(slots=True)
+class Limb:
+    """A body that moves within its parent's frame, and the scene node that shows it."""
+
+    body_id: int
+    parent_id: int
+    node: viser.FrameHandle
+    position: np.ndarray
+    """As the watcher has it, in the parent's frame [m], shape (3,)."""
+    quaternion: np.ndarray
+    """As the watcher has it, in the parent's frame, wxyz, shape (4,)."""
+
+
+class Drawing:
+    """The bodies of a model in one viser scene, hung into each other as in the model.
+
+    A turning joint so costs its watcher one message; what stands still costs none.
+    """
+
+    def __init__(
+        self, canvas: viser.ViserServer | viser.ClientHandle, model: mujoco.MjModel
+    ) -> None:
+        self._canvas = canvas
+        self._model = model
+        self._data = mujoco.MjData(model)
+        with canvas.atomic():
+            self._furnish()
+            self._limbs = self._draw_bodies()
+        self.show(model.qpos0)
+
+    def show(self, qpos: np.ndarray) -> None:
+        """Put everything where ``qpos`` (nq,) says."""
+        self._data.qpos[:] = qpos
+        mujoco.mj_kinematics(self._model, self._data)
+        with self._canvas.atomic():
+            for limb in self._limbs:
+                _move(limb, *self._pose_in_parent(limb))
+        self._canvas.flush()
+
+    def _pose_in_parent(self, limb: Limb) -> tuple[np.ndarray, np.ndarray]:
+        """Position [m] (3,) and quaternion wxyz (4,) of the body in its parent's frame."""
+        places, turns = self._data.xpos, self._data.xquat
+        back, turn_back, position, quaternion = (np.empty(size) for size in (3, 4, 3, 4))
+        mujoco.mju_negPose(back, turn_back, places[limb.parent_id], turns[limb.parent_id])
+        here = (places[limb.body_id], turns[limb.body_id])
+        mujoco.mju_mulPose(position, quaternion, back, turn_back, *here)
+        return position, quaternion
+
+    def _furnish(self) -> None:
+        scene = self._canvas.scene
+        scene.set_up_direction("+z")
+        scene.configure_environment_map("studio", environment_intensity=0.4)
+        scene.configure_default_lights(enabled=True, cast_shadow=True)
+        canvas = self._canvas
+        one = isinstance(canvas, viser.ClientHandle)
+        camera = canvas.camera if one else canvas.initial_camera
+        camera.position = CAMERA_POSITION
+        camera.look_at = CAMERA_TARGET
+        camera.fov = CAMERA_FOV
+
+    def _draw_bodies(self) -> list[Limb]:
+        limbs: list[Limb] = []
+        paths: list[str] = []
+        for body_id in range(self._model.nbody):
+            parent_id = int(self._model.body_parentid[body_id])
+            paths.append(f"{paths[parent_id]}/{body_id}" if body_id else "/world")
+            pose = (self._model.body_pos[body_id].copy(), self._model.body_quat[body_id].copy())
+            node = self._canvas.scene.add_frame(
+                paths[body_id], show_axes=False, position=pose[0], wxyz=pose[1]
+            )
+            if glb := body_glb(self._model, body_id):
+                self._canvas.scene.add_glb(f"{paths[body_id]}/looks", glb)
+            if self._model.body_jntnum[body_id]:
+                limbs.append(Limb(body_id, parent_id, node, *pose))
+        return limbs
+
+
+def _move(limb: Limb, position: np.ndarray, quaternion: np.ndarray) -> None:
+    if np.abs(position - limb.position).max() > STILL:
+        limb.node.position = limb.position = position
+    if np.abs(quaternion - limb.quaternion).max() > STILL:
+        limb.node.wxyz = limb.quaternion = quaternion

@@ -1,0 +1,95 @@
+"""Screening: one rollout as one page watches it."""
+
+import threading
+import time
+from dataclasses import asdict, dataclass
+
+from app.view.playhead import Mode, Playhead
+from app.view.source import Footage
+
+LONGEST_TICK = 0.25
+"""A watcher who was away longer comes back to where they left [s]."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Moment:
+    """What a page is told of its screening."""
+
+    time: float
+    """The moment shown [s]."""
+    duration: float
+    """How much of the rollout is known [s]."""
+    mode: Mode
+    speed: float
+    finished: bool
+    """Whether no more will be known."""
+    drawn: bool
+    """Whether a browser has the scene."""
+
+    def as_dict(self) -> dict[str, float | str | bool]:
+        """The same, ready for JSON."""
+        return asdict(self) | {"time": round(self.time, 3), "duration": round(self.duration, 3)}
+
+
+class Screening:
+    """A rollout's footage and a playhead; safe to use from several threads."""
+
+    def __init__(self, footage: Footage) -> None:
+        self.footage = footage
+        self.drawn = False
+        self._playhead = Playhead()
+        self._ticked_at = time.monotonic()
+        self._lock = threading.Lock()
+        self._moved = threading.Event()
+
+    def tick(self) -> float:
+        """Let the time since the last tick pass; the moment to be shown now [s]."""
+        self.footage.refresh()
+        with self._lock:
+            now = time.monotonic()
+            passed = min(now - self._ticked_at, LONGEST_TICK)
+            self._ticked_at = now
+            end, finished = self.footage.duration, self.footage.finished
+            self._playhead.advance(passed, end=end, finished=finished)
+            return self._playhead.time
+
+    def rest(self, playing: float, still: float) -> None:
+        """Sleep ``playing`` [s], or ``still`` [s] if paused; a move of the playhead wakes."""
+        if self._moved.wait(still if self._playhead.mode == "paused" else playing):
+            self._moved.clear()
+
+    def moment(self) -> Moment:
+        """Where the playhead is."""
+        with self._lock:
+            return Moment(
+                time=self._playhead.time,
+                duration=self.footage.duration,
+                mode=self._playhead.mode,
+                speed=self._playhead.speed,
+                finished=self.footage.finished,
+                drawn=self.drawn,
+            )
+
+    def turn(self, mode: Mode) -> None:
+        """Play, pause or follow."""
+        with self._lock:
+            match mode:
+                case "playing":
+                    self._playhead.play(end=self.footage.duration, finished=self.footage.finished)
+                case "paused":
+                    self._playhead.pause()
+                case "following":
+                    self._playhead.follow()
+        self._moved.set()
+
+    def seek(self, moment: float) -> None:
+        """Jump to ``moment`` [s]."""
+        with self._lock:
+            self._playhead.seek(moment)
+        self._moved.set()
+
+    def set_speed(self, speed: float) -> None:
+        """Play at so many seconds per second."""
+        with self._lock:
+            self._playhead.set_speed(speed)
+        self._moved.set()

@@ -1,0 +1,72 @@
+// The service as this page uses it: the same requests as everybody's.
+
+/** An error of the service: a problem document (RFC 9457). */
+export class Problem extends Error {
+  constructor(content, status) {
+    super(content.detail || content.title || `The service answered ${status}.`);
+    this.status = status;
+    this.errors = content.errors || [];
+  }
+}
+
+async function answer(response) {
+  const content = await response.json().catch(() => ({}));
+  if (!response.ok) throw new Problem(content, response.status);
+  return content;
+}
+
+/** What is at `path`. */
+export async function get(path) {
+  return answer(await reach(path, { headers: { Accept: "application/json" } }));
+}
+
+/** Sends `body` to `path`. */
+export async function post(path, body = {}, headers = {}) {
+  return answer(
+    await reach(path, {
+      method: "POST",
+      headers: { "Content-Type": "application/json", ...headers },
+      body: JSON.stringify(body),
+    }),
+  );
+}
+
+async function reach(path, options) {
+  try {
+    return await fetch(path, options);
+  } catch {
+    throw new Problem({ detail: "The service cannot be reached. It may be restarting; try again." }, 0);
+  }
+}
+
+/**
+ * Follows Server-Sent Events: `told` gets each event once, `ended` the last message.
+ * A broken connection is taken up where it broke. Returns a function that stops it.
+ */
+export function follow(path, told, ended) {
+  let source = null;
+  let timer = null;
+  let last = -1;
+  const open = () => {
+    source = new EventSource(path);
+    source.onmessage = (message) => {
+      const event = JSON.parse(message.data);
+      if (event.sequence <= last) return;
+      last = event.sequence;
+      told(event);
+    };
+    source.addEventListener("end", (message) => {
+      stop();
+      ended(JSON.parse(message.data));
+    });
+    source.onerror = () => {
+      if (source.readyState === EventSource.CLOSED) timer = setTimeout(open, 1500);
+    };
+  };
+  const stop = () => {
+    clearTimeout(timer);
+    source.close();
+  };
+  open();
+  return stop;
+}

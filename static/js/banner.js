@@ -1,0 +1,103 @@
+// The head of a plan: what was asked, how far it is, and what can be done with it.
+
+import { byId, h } from "./dom.js";
+
+const WORDS = {
+  queued: "Waiting for its turn",
+  planning: "Writing the program",
+  planned: "Planned",
+  awaiting_approval: "Waiting for your approval",
+  executing: "Carrying it out",
+  succeeded: "Succeeded",
+  failed: "Failed",
+  cancelled: "Cancelled",
+};
+export const TONES = { succeeded: "good", planned: "good", failed: "bad", cancelled: "warn", awaiting_approval: "warn" };
+const UNDER_WAY = new Set(["queued", "planning", "executing"]);
+
+export class Banner {
+  constructor(actions) {
+    this.actions = actions;
+    this.root = byId("banner");
+    this.timer = null;
+  }
+
+  hide() {
+    this.root.hidden = true;
+    clearInterval(this.timer);
+    this.since = null;
+    this.shown = null;
+  }
+
+  show(plan, execution) {
+    const state = this.state(plan, execution);
+    const key = JSON.stringify([plan.id, state, execution?.id, execution?.seed, plan.executions, plan.error, execution?.error]);
+    if (key === this.shown) return;
+    if (state !== this.last || this.shown === null) this.since = performance.now();
+    this.shown = key;
+    this.last = state;
+    clearInterval(this.timer);
+    this.root.hidden = false;
+    const under = UNDER_WAY.has(state);
+    this.clock = h("span", { class: "clock" });
+    const status = h("p", { class: `status ${TONES[state] ?? ""}`, role: "status", "data-status": state }, WORDS[state] ?? state, under && this.clock);
+    this.root.replaceChildren(...[
+      h("h2", { id: "banner-title" }, plan.planner ? "Instruction" : "Program by hand"),
+      h("p", { class: "sentence" }, plan.instruction),
+      status,
+      under && h("div", { class: "progress", role: "progressbar", "aria-label": WORDS[state] }),
+      this.why(plan, execution),
+      this.buttons(plan, execution, state),
+    ].filter(Boolean));
+    if (under) this.timer = setInterval(() => this.tick(), 200);
+  }
+
+  state(plan, execution) {
+    if (!execution) return plan.status;
+    // Of several executions the one that is shown counts.
+    return execution.status;
+  }
+
+  tick() {
+    const passed = (performance.now() - this.since) / 1000;
+    this.clock.textContent = passed >= 1 ? ` · ${passed.toFixed(0)} s` : "";
+  }
+
+  why(plan, execution) {
+    const failure = execution?.failure;
+    const told = failure ? `Line ${failure.line}, at “${failure.stage}”: ${failure.reason}` : (execution?.error ?? plan.error);
+    return told ? h("p", { class: "why" }, told) : null;
+  }
+
+  buttons(plan, execution, state) {
+    const { actions } = this;
+    const button = (text, act, kind = "small") => h("button", { type: "button", class: kind, onclick: act }, text);
+    const link = (text, href, name) => h("a", { class: "button small quiet", href, download: name }, text);
+    const over = !UNDER_WAY.has(state) && state !== "awaiting_approval";
+    return h("div", { class: "row" },
+      state === "awaiting_approval" && button("Approve and run", actions.approve, "small primary"),
+      !over && button("Cancel", actions.cancel),
+      over && plan.program && button(execution ? "Again with another seed" : "Carry it out", actions.again),
+      button("Use this task", actions.reuse),
+      this.executions(plan, execution),
+      execution && over && link("Recording", `/executions/${execution.id}/recording`, `${execution.id}.viser`),
+      execution && link("Trace", `/executions/${execution.id}/trace?limit=1000`, `${execution.id}.json`),
+      link("Plan as JSON", `/plans/${plan.id}`, `${plan.id}.json`),
+    );
+  }
+
+  executions(plan, execution) {
+    if (plan.executions.length < 2 || !execution) return null;
+    const select = h("select", { class: "runs", "aria-label": "Which execution", onchange: () => this.actions.choose(select.value) },
+      plan.executions.map((id, index) => h("option", { value: id, selected: id === execution.id }, `Run ${index + 1} of ${plan.executions.length}`)));
+    return select;
+  }
+
+  fail(message) {
+    this.root.hidden = false;
+    this.shown = null;
+    this.root.querySelector(".problem")?.remove();
+    if (!this.root.querySelector("#banner-title")) this.root.append(h("h2", { id: "banner-title" }, "This plan"));
+    this.root.append(h("p", { class: "problem", role: "alert" }, message));
+  }
+}

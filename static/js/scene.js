@@ -1,0 +1,172 @@
+// The scene editor: ready scenes, a list of objects, and the same as JSON.
+
+import { get } from "./api.js";
+import { byId, h } from "./dom.js";
+import { recall, remember } from "./memory.js";
+
+const OWN = "own";
+
+export class SceneEditor {
+  /** `chosen(ready)` is called when somebody picks a ready scene. */
+  constructor(chosen) {
+    this.chosen = chosen;
+    this.ready = new Map();
+    this.kinds = [];
+    this.scene = recall("scene", null);
+    this.select = byId("ready-scene");
+    this.list = byId("object-list");
+    this.json = byId("scene-json");
+    this.select.addEventListener("change", () => this.pick(this.select.value));
+    byId("add-object").addEventListener("click", () => this.add());
+    byId("toggle-json").addEventListener("click", () => this.toggle());
+    this.json.addEventListener("input", () => this.readJson());
+  }
+
+  async load() {
+    const names = await fetch("/static/scenes/index.json").then((answer) => answer.json());
+    const read = (name) => fetch(`/static/scenes/${name}.json`).then((answer) => answer.json());
+    const scenes = await Promise.all(names.map(read));
+    names.forEach((name, index) => this.ready.set(name, scenes[index]));
+    this.select.replaceChildren(
+      ...names.map((name) => h("option", { value: name }, this.ready.get(name).title)),
+      h("option", { value: OWN }, "My own scene"),
+    );
+    this.kinds = (await get("/catalog/objects").catch(() => ({ items: [] }))).items;
+    const kept = recall("ready", names[0]);
+    if (this.scene === null) this.pick(names[0]);
+    else this.show(this.ready.has(kept) ? kept : OWN);
+  }
+
+  /** Take up a ready scene. */
+  pick(name) {
+    if (name !== OWN) {
+      const ready = this.ready.get(name);
+      this.scene = structuredClone(ready.scene);
+      this.chosen(ready);
+    }
+    this.keep(name);
+    this.show(name);
+  }
+
+  /** Take up the scene of an earlier plan: what it names, without the places that were sampled. */
+  take(scene) {
+    const objects = scene.objects.map(({ name, kind, category, colour, container }) => ({
+      name, ...(kind && { kind }), ...(category && { category }), ...(colour && { colour }), ...(container && { container }),
+    }));
+    this.scene = { world: scene.world, objects };
+    this.keep(OWN);
+    this.show(OWN);
+  }
+
+  keep(name) {
+    remember("scene", this.scene);
+    remember("ready", name);
+  }
+
+  changed() {
+    this.select.value = OWN;
+    byId("scene-about").textContent = "";
+    this.keep(OWN);
+  }
+
+  show(name) {
+    this.select.value = name;
+    byId("scene-about").textContent = this.ready.get(name)?.about ?? "";
+    this.list.replaceChildren(...this.objects().map((object, index) => this.entry(object, index)));
+    this.json.value = JSON.stringify(this.scene, null, 1);
+    this.json.removeAttribute("aria-invalid");
+  }
+
+  objects() {
+    if (!Array.isArray(this.scene.objects)) this.scene.objects = [];
+    return this.scene.objects;
+  }
+
+  entry(object, index) {
+    const input = h("input", {
+      "aria-label": `Object ${index + 1}`,
+      "data-field": `scene.objects.${index}`,
+      placeholder: "name, like red mug",
+      maxlength: 100,
+      autocomplete: "off",
+      oninput: () => {
+        // A kind or colour was another thing's, unless the JSON says otherwise.
+        this.objects()[index] = { name: input.value };
+        this.changed();
+        this.json.value = JSON.stringify(this.scene, null, 1);
+      },
+      onkeydown: (event) => {
+        if (event.key !== "Enter" || event.ctrlKey || event.metaKey) return;
+        event.preventDefault();
+        this.add();
+      },
+    });
+    input.value = object.name ?? "";
+    const remove = h("button", {
+      type: "button", class: "small quiet remove", "aria-label": `Remove ${object.name || "object"}`,
+      onclick: () => this.remove(index),
+    }, "×");
+    return h("li", {}, this.swatch(object), input, remove);
+  }
+
+  swatch(object) {
+    const swatch = h("span", { class: "swatch", "aria-hidden": "true" });
+    const colour = object.colour ?? this.colourOf(String(object.name ?? ""));
+    if (colour && CSS.supports("color", colour)) swatch.style.background = colour;
+    return swatch;
+  }
+
+  /** The colour of the kind whose name the object's name ends with, as the catalogue has it. */
+  colourOf(name) {
+    const words = name.toLowerCase();
+    return this.kinds.find((kind) => [kind.name.replaceAll("_", " "), ...kind.synonyms].some((called) => words.endsWith(called)))?.colour;
+  }
+
+  add() {
+    this.objects().push({ name: "" });
+    this.changed();
+    this.show(OWN);
+    this.list.lastElementChild.querySelector("input").focus();
+  }
+
+  remove(index) {
+    this.objects().splice(index, 1);
+    this.changed();
+    this.show(OWN);
+    const next = this.list.children[Math.min(index, this.list.children.length - 1)];
+    (next?.querySelector(".remove") ?? byId("add-object")).focus();
+  }
+
+  toggle() {
+    const shown = this.json.hidden;
+    this.json.hidden = !shown;
+    this.list.hidden = shown;
+    byId("add-object").hidden = shown;
+    byId("toggle-json").setAttribute("aria-pressed", String(shown));
+    byId("toggle-json").textContent = shown ? "as a list" : "as JSON";
+    if (shown) this.json.focus();
+    else this.show(this.select.value);
+  }
+
+  readJson() {
+    try {
+      const scene = JSON.parse(this.json.value);
+      if (typeof scene !== "object" || scene === null || Array.isArray(scene)) throw new SyntaxError();
+      this.scene = scene;
+      this.json.removeAttribute("aria-invalid");
+      this.changed();
+    } catch {
+      this.json.setAttribute("aria-invalid", "true");
+    }
+  }
+
+  /** The scene as it is sent; empty rows are not. Throws where the JSON is none. */
+  request() {
+    if (!this.json.hidden && this.json.getAttribute("aria-invalid")) {
+      throw new Error("The scene is not JSON.");
+    }
+    const objects = this.scene.objects;
+    if (!Array.isArray(objects)) return this.scene;
+    return { ...this.scene, objects: objects.filter((object) => String(object?.name ?? "").trim() !== "") };
+  }
+}

@@ -1,0 +1,84 @@
+// The planner's switches and the run's, each with its default; only what differs is sent.
+
+import { get } from "./api.js";
+import { byId, h } from "./dom.js";
+import { recall, remember } from "./memory.js";
+
+const SWITCHES = [
+  { name: "model", label: "Model", field: "planner.model", standard: "default", options: [["default", "default"]] },
+  { name: "comments", label: "Comments in the examples", field: "planner.comments", standard: true },
+  { name: "feedback", label: "Assertions with recoveries", field: "planner.feedback", standard: "", options: [["", "as the world has it"], ["yes", "yes"], ["no", "no"]] },
+  { name: "examples", label: "Example programs", field: "planner.examples", standard: 3, min: 0, max: 7, step: 1 },
+  { name: "constrained", label: "Only names of this scene (grammar)", field: "planner.constrained", standard: true },
+  { name: "temperature", label: "Temperature", field: "planner.temperature", standard: 0, min: 0, max: 2, step: 0.1 },
+  { name: "seed", label: "Seed", field: "seed", standard: 0, min: 0, max: 4294967295, step: 1 },
+  { name: "execute", label: "Carry it out", field: "execute", standard: true },
+  { name: "approval", label: "Ask me before it is carried out", field: "approval", standard: false },
+];
+
+export class Settings {
+  constructor() {
+    this.values = { ...Object.fromEntries(SWITCHES.map((one) => [one.name, one.standard])), ...recall("settings", {}) };
+    byId("settings").replaceChildren(...SWITCHES.map((one) => this.entry(one)));
+    this.count();
+    this.offerModels();
+  }
+
+  entry(one) {
+    const id = `setting-${one.name}`;
+    const change = (event) => {
+      this.values[one.name] = typeof one.standard === "boolean" ? event.target.checked : event.target.value;
+      remember("settings", this.values);
+      this.count();
+    };
+    if (typeof one.standard === "boolean") {
+      const box = h("input", { type: "checkbox", id, checked: Boolean(this.values[one.name]), onchange: change });
+      return h("div", { class: "check", "data-field": one.field }, box, h("label", { for: id }, one.label));
+    }
+    const control = one.options
+      ? h("select", { id, onchange: change }, one.options.map(([value, text]) => h("option", { value }, text)))
+      : h("input", { id, type: "number", min: one.min, max: one.max, step: one.step, oninput: change });
+    control.value = this.values[one.name];
+    return h("div", { class: "field", "data-field": one.field }, h("label", { for: id }, one.label), control);
+  }
+
+  async offerModels() {
+    const models = (await get("/catalog/models").catch(() => ({ items: [] }))).items;
+    const select = byId("setting-model");
+    const standard = models.find((model) => model.default);
+    select.replaceChildren(
+      h("option", { value: "default" }, standard ? `default (${standard.name})` : "default"),
+      ...models.filter((model) => !model.default).map((model) => h("option", { value: model.name, title: model.title }, model.name)),
+    );
+    if (![...select.options].some((option) => option.value === this.values.model)) this.values.model = "default";
+    select.value = this.values.model;
+    this.count();
+  }
+
+  count() {
+    const changed = SWITCHES.filter((one) => String(this.values[one.name]) !== String(one.standard));
+    byId("settings-count").textContent = changed.length ? `${changed.length} changed` : "";
+  }
+
+  /** The parts of the request that differ from the defaults. */
+  request() {
+    const planner = {};
+    const request = {};
+    for (const one of SWITCHES) {
+      const value = this.sent(one);
+      if (value === undefined) continue;
+      const [place, name] = one.field.startsWith("planner.") ? [planner, one.field.slice(8)] : [request, one.field];
+      place[name] = value;
+    }
+    return { ...request, ...(Object.keys(planner).length && { planner }) };
+  }
+
+  sent(one) {
+    const value = this.values[one.name];
+    if (String(value) === String(one.standard)) return undefined;
+    if (one.name === "approval") return "manual";
+    if (one.name === "feedback") return value === "yes";
+    if (typeof one.standard !== "number") return value;
+    return value === "" || Number.isNaN(Number(value)) ? value : Number(value);
+  }
+}

@@ -1,0 +1,186 @@
+// One plan being watched: its events led to the program, the 3D view, the words and the scores.
+
+import { follow, get, post } from "./api.js";
+import { Banner } from "./banner.js";
+import { EventList } from "./events.js";
+import { ProgramView } from "./program.js";
+import { RolloutView } from "./rollout.js";
+import { ScoreBoard } from "./scores.js";
+
+const LIT_BY = new Set(["comment_reached", "action_started", "assertion_checked", "call_skipped", "recovery_taken"]);
+const OVER = new Set(["planned", "succeeded", "failed", "cancelled"]);
+
+export class Watch {
+  /** `reuse(plan)` puts a plan's task back into the form; `changed(plan)` is told every new state. */
+  constructor({ reuse, changed }) {
+    this.changed = changed;
+    const seek = (time) => this.rollout.seek(time);
+    this.program = new ProgramView(seek);
+    this.events = new EventList(seek);
+    this.scores = new ScoreBoard();
+    this.rollout = new RolloutView((time) => this.playedTo(time));
+    this.banner = new Banner({
+      reuse: () => reuse(this.plan),
+      cancel: () => this.act("cancel"),
+      approve: () => this.act("approve"),
+      again: () => this.runAgain(),
+      choose: (execution) => this.open(this.plan.id, execution),
+    });
+    this.close();
+  }
+
+  close() {
+    this.stop?.();
+    this.stop = null;
+    this.id = null;
+    this.plan = null;
+    this.execution = null;
+    this.banner.hide();
+    this.program.reset();
+    this.clearRun();
+    this.rollout.reset();
+    this.events.reset();
+  }
+
+  clearRun() {
+    this.moments = [];
+    this.latest = null;
+    this.scores.reset();
+  }
+
+  /** Watch a plan, and of its executions the one named or the newest. */
+  async open(id, execution = null) {
+    this.close();
+    this.id = id;
+    this.wanted = execution;
+    const plan = await this.refresh(id);
+    if (!plan) return;
+    this.program.reset(plan.program || OVER.has(plan.status) ? "There is no program." : "The program appears here as it is written …");
+    this.events.reset("Nothing has happened yet.");
+    if (OVER.has(plan.status) && !plan.executions.length) this.rollout.reset("This plan was not carried out.");
+    else this.rollout.reset("The rollout begins when the program is there.");
+    if (plan.program) this.program.show(plan);
+    this.stop = follow(`/plans/${id}/events`, (event) => this.planned(event), () => this.planningOver(id));
+  }
+
+  async refresh(id = this.id) {
+    try {
+      const plan = await get(`/plans/${id}`);
+      if (this.id !== id) return null;
+      this.plan = plan;
+      this.banner.show(plan, this.execution);
+      this.changed(plan);
+      return plan;
+    } catch (error) {
+      if (this.id === id) this.banner.fail(error.message);
+      return null;
+    }
+  }
+
+  planned(event) {
+    this.events.add(event);
+    if (event.kind === "planning_started" && this.plan.status === "queued") {
+      this.plan.status = "planning";
+      this.banner.show(this.plan, null);
+    }
+    if (event.kind === "completion_grew") this.program.grow(event.text);
+  }
+
+  async planningOver(id) {
+    const plan = await this.refresh(id);
+    if (!plan) return;
+    this.program.show(plan);
+    const execution = this.wanted ?? plan.executions.at(-1);
+    if (execution) this.watchExecution(execution);
+    else {
+      this.rollout.reset(plan.status === "awaiting_approval" ? "The rollout begins when you approve the plan." : "This plan was not carried out.");
+      this.scores.show(plan, null);
+    }
+  }
+
+  async watchExecution(execution) {
+    const id = this.id;
+    this.rollout.show(execution);
+    this.stop = follow(`/executions/${execution}/events`, (event) => this.happened(event), () => this.executionOver(id, execution));
+    await this.refreshExecution(id, execution);
+  }
+
+  async executionOver(id, execution) {
+    await this.refreshExecution(id, execution);
+    await this.refresh(id);
+    if (this.id === id) this.scores.show(this.plan, this.execution);
+  }
+
+  async refreshExecution(id, execution) {
+    const shown = await get(`/executions/${execution}`).catch(() => null);
+    if (this.id !== id || !shown) return;
+    this.execution = shown;
+    this.banner.show(this.plan, shown);
+  }
+
+  happened(event) {
+    this.events.add(event);
+    if (LIT_BY.has(event.kind)) {
+      this.moments.push([event.time, event.line]);
+      this.program.startsAt(event.line, event.time);
+    }
+    if (event.kind === "execution_finished") this.moments.push([event.time, null]);
+    if (event.kind === "goal_checked") this.scores.check(event);
+    this.mark(event);
+    if (!this.rollout.moment) this.program.light(this.moments.at(-1)?.[1] ?? null);
+  }
+
+  mark(event) {
+    const note = (state, text = "") => this.program.note(event.line ?? this.running, state, text);
+    switch (event.kind) {
+      case "action_started":
+        this.running = event.line;
+        return note("running");
+      case "action_performed":
+        return note("performed", event.attempts > 1 ? `at attempt ${event.attempts}` : "");
+      case "action_failed":
+        return note("failed", `${event.stage}: ${event.reason}`);
+      case "call_skipped":
+        return note("skipped", event.reason);
+      case "assertion_checked":
+        return note(event.holds ? "holds" : "broken", event.holds ? "true" : "false");
+      case "recovery_taken":
+        return note("broken", event.calls ? "false, recovering" : "false, no recovery");
+    }
+  }
+
+  /** The 3D view shows this moment [s]. */
+  playedTo(time) {
+    let line = null;
+    for (const [start, at] of this.moments) {
+      if (start > time + 0.001) break;
+      line = at;
+    }
+    this.program.light(line);
+    const tenths = Math.round(time * 10);
+    if (tenths !== this.latest) {
+      this.latest = tenths;
+      this.events.at(time);
+    }
+  }
+
+  async act(what) {
+    try {
+      await post(`/plans/${this.id}/${what}`);
+      if (what === "approve") await this.open(this.id);
+      else await this.refresh();
+    } catch (error) {
+      this.banner.fail(error.message);
+    }
+  }
+
+  async runAgain() {
+    try {
+      const seed = ((this.execution?.seed ?? this.plan.seed) + 1) % 4294967296;
+      const execution = await post(`/plans/${this.id}/executions`, { seed });
+      await this.open(this.id, execution.id);
+    } catch (error) {
+      this.banner.fail(error.message);
+    }
+  }
+}

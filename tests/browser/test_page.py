@@ -1,0 +1,243 @@
+"""The page in Chromium, over the service as people start it."""
+
+import io
+import re
+
+import httpx
+import numpy as np
+import pytest
+from PIL import Image
+from playwright.sync_api import expect
+
+pytestmark = [pytest.mark.browser, pytest.mark.physics, pytest.mark.timeout(600)]
+
+SENTENCE = "put the banana in the bowl"
+
+
+def status(page):
+    return page.locator("#banner .status")
+
+
+def picture(page):
+    """The 3D view's pixels, (height, width, 3), once it has come to rest."""
+    png = page.locator("iframe.picture").screenshot(animations="disabled")
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"), dtype=int)
+
+
+def changed(one, other):
+    """The share of pixels that look different."""
+    return float((np.abs(one - other).max(axis=2) > 40).mean())
+
+
+def slider(page):
+    """Can be moved as soon as the 3D view is drawn."""
+    return page.get_by_label("Moment of the rollout")
+
+
+def seek(page, moment):
+    """Put the slider to a moment [s] and wait until the 3D view is there."""
+    slider(page).fill(str(moment))
+    expect(page.locator(".controls .clock")).to_contain_text(f"{moment:.1f} /")
+    page.wait_for_timeout(1500)
+
+
+def duration(page):
+    return float(page.locator(".controls .clock").inner_text().split()[-2])
+
+
+@pytest.fixture(scope="module")
+def finished(service):
+    """Id of a plan that was carried out."""
+    with httpx.Client(base_url=service.url, timeout=60) as http:
+        request = {
+            "scene": {"objects": [{"name": "banana"}, {"name": "bowl"}]},
+            "instruction": SENTENCE,
+            "goal": ["in(banana, bowl)"],
+        }
+        return http.post("/plans", json=request).json()["id"]
+
+
+def test_typed_sentence_becomes_a_program_a_rollout_and_a_score(open_page):
+    page = open_page(reduced_motion="no-preference")
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    page.get_by_label("What should the robot do?").fill(SENTENCE)
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator("pre.writing")).to_contain_text("# 1: put")  # while it is being written
+    expect(page.locator("ol.lines")).to_contain_text("grab_and_putin('banana', 'bowl')")
+    expect(page.locator("iframe.picture")).to_be_visible()
+    expect(page.locator(".lines li.lit")).to_contain_text("banana")
+    expect(status(page)).to_have_text("Succeeded")
+    expect(page.locator('[data-score="sr"] dd')).to_have_text("1")
+    expect(page.locator(".goal .good")).to_contain_text("in(banana, bowl)")
+    expect(page.locator("[data-kind=action_performed]")).to_contain_text("Done")
+
+
+def test_rollout_moves_and_can_be_scrubbed(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(status(page)).to_have_text("Succeeded")
+    expect(slider(page)).to_be_enabled()
+    seek(page, 0.0)
+    start = picture(page)
+    seek(page, round(duration(page) / 2, 1))
+    moved = changed(start, picture(page))
+    assert moved > 0.01
+    seek(page, 0.0)
+    assert changed(start, picture(page)) < moved / 3
+
+
+def test_program_line_and_rollout_lead_to_each_other(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(slider(page)).to_be_enabled()
+    line = page.locator(".lines li").filter(has_text="grab_and_putin")
+    expect(line.locator(".mark")).to_contain_text("done")
+    seek(page, 1.0)
+    expect(line).to_have_attribute("aria-current", "step")
+    expect(page.locator("[data-kind=execution_finished]")).to_have_class(re.compile("ahead"))
+    seek(page, duration(page))
+    expect(line).not_to_have_attribute("aria-current", "step")
+    line.get_by_role("button").click()
+    expect(page.locator(".controls .clock")).to_contain_text("0.0 /")
+    expect(line).to_have_attribute("aria-current", "step")
+
+
+def test_plan_is_there_after_a_restart_and_can_be_scrubbed(open_page, finished, service):
+    page = open_page(f"/#/plans/{finished}")
+    expect(slider(page)).to_be_enabled()
+    service.stop()
+    expect(slider(page)).to_be_disabled()
+    service.start()
+    seek(page, 2.0)  # the page has found its picture again by itself
+    page.reload()
+    expect(status(page)).to_have_text("Succeeded")
+    expect(page.locator('[data-score="gcr"] dd')).to_have_text("1")
+    expect(page.locator("#earlier-list [aria-current=page]")).to_contain_text(SENTENCE)
+    expect(slider(page)).to_be_enabled()
+    seek(page, 1.0)
+
+
+def test_what_was_typed_survives_a_reload(open_page):
+    page = open_page()
+    page.get_by_role("button", name="Add an object").click()
+    page.keyboard.type("driver's cup")
+    page.get_by_label("What should the robot do?").fill("bring the cup")
+    page.locator("#settings-part summary").click()
+    page.get_by_label("Seed").fill("7")
+    page.reload()
+    expect(page.locator("#object-list input").last).to_have_value("driver's cup")
+    expect(page.get_by_label("What should the robot do?")).to_have_value("bring the cup")
+    expect(page.locator("#settings-count")).to_have_text("1 changed")
+
+
+def test_goal_of_a_ready_scene_counts_for_its_own_instruction_only(open_page):
+    page = open_page()
+    sentence = page.get_by_label("What should the robot do?")
+    its = sentence.input_value()
+    expect(page.locator("#goal-count")).not_to_have_text("none")
+    sentence.fill("something else")
+    expect(page.locator("#goal-count")).to_have_text("none")
+    sentence.fill(its)
+    expect(page.locator("#goal-count")).not_to_have_text("none")
+
+
+def tab_to(page, selector):
+    for _ in range(80):
+        page.keyboard.press("Tab")
+        if page.evaluate("selector => document.activeElement.matches(selector)", selector):
+            return
+    raise AssertionError(f"Tab does not lead to {selector}")
+
+
+def test_keyboard_alone_is_enough(open_page):
+    page = open_page()
+    page.keyboard.press("Tab")
+    tab_to(page, "#ready-scene")
+    page.keyboard.type("Banana in")
+    tab_to(page, "#instruction")
+    page.keyboard.press("Control+a")
+    page.keyboard.type(SENTENCE)
+    page.keyboard.press("Control+Enter")
+    expect(status(page)).to_have_text("Succeeded")
+    expect(slider(page)).to_be_enabled()
+    tab_to(page, ".lines li:nth-child(4) button")
+    page.keyboard.press("Enter")
+    expect(page.locator(".controls .clock")).to_contain_text("0.0 /")
+    expect(page.locator(".controls .play")).to_have_text("Play")
+    tab_to(page, ".controls input")
+    page.keyboard.press("PageUp")
+    expect(page.locator(".controls .clock")).not_to_contain_text("0.0 /")
+
+
+def test_nothing_is_wider_than_a_small_phone(open_page, finished):
+    for path in ("/", f"/#/plans/{finished}"):
+        page = open_page(path, viewport={"width": 360, "height": 740})
+        if path != "/":
+            expect(page.locator('[data-score="sr"] dd')).to_have_text("1")
+        for part in page.locator("summary").all():
+            part.click()
+        assert page.evaluate("document.documentElement.scrollWidth") == 360
+        wider = """[...document.querySelectorAll("main *")].filter(
+            (one) => one.getBoundingClientRect().right > 361).map((one) => one.outerHTML)"""
+        assert page.evaluate(wider) == []
+
+
+def test_errors_are_shown_at_the_fields_they_name(open_page):
+    page = open_page()
+    run = page.get_by_role("button", name="Run", exact=True)
+    sentence = page.get_by_label("What should the robot do?")
+    sentence.fill("")
+    run.click()
+    expect(page.locator("#instruction-field .fault")).to_contain_text("is empty")
+    expect(sentence).to_be_focused()
+    sentence.fill(SENTENCE)
+    page.locator("#object-list input").nth(1).fill("banana")
+    page.locator("#object-list input").nth(0).fill("banana")
+    run.click()
+    expect(page.locator("#object-list .fault").first).to_be_visible()
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    page.locator("#goal-part summary").click()
+    page.get_by_label("Conditions that should hold").fill("in(banana)")
+    run.click()
+    expect(page.locator("[data-field=goal] .fault")).to_contain_text("Line 1")
+
+
+def test_running_plan_can_be_cancelled(open_page):
+    page = open_page()
+    page.get_by_label("What should the robot do?").fill("go on forever")
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator("pre.writing")).to_contain_text("on and on")
+    page.get_by_role("button", name="Cancel").click()
+    expect(status(page)).to_have_text("Cancelled")
+
+
+def test_failed_plan_says_why(open_page):
+    page = open_page()
+    page.get_by_label("What should the robot do?").fill("say nothing")
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(status(page)).to_have_text("Failed")
+    expect(page.locator("#banner .why")).to_contain_text("the model said nothing")
+
+
+def test_rejected_call_is_marked_in_the_program(open_page):
+    page = open_page()
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    page.get_by_label("What should the robot do?").fill("put the banana in the vase")
+    page.locator("#goal-part summary").click()
+    page.get_by_label("Conditions that should hold").fill("in(banana, bowl)")
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator(".lines [data-state=skipped] .note")).to_contain_text("'vase'")
+    expect(page.locator('[data-score="exec"] dd')).to_have_text("0")
+    expect(page.locator('[data-score="sr"] dd')).to_have_text("0")
+
+
+def test_program_written_by_hand_is_checked_then_run(open_page):
+    page = open_page()
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    page.get_by_text("Program by hand").click()
+    program = "def task():\n    grab_and_putin('banana', 'vase')\n"
+    page.get_by_role("textbox", name="Program").fill(program)
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator("#program-field .fault")).to_contain_text("there is no object 'vase'")
+    page.get_by_role("textbox", name="Program").fill(program.replace("vase", "bowl"))
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator(".lines li")).to_have_count(2)
+    expect(page.locator("#banner")).to_contain_text("Program by hand")
