@@ -27,8 +27,11 @@ STOP_LIMIT = 15.0  # [s]
 @click.option("--port", default=8000, show_default=True, help="0 takes any free one.")
 @click.option("--data-dir", type=click.Path(path_type=Path), help="Where runs are kept.")
 @click.option("--model", default="default", show_default=True)
-@click.option("--keep/--no-keep", default=None,
-              help="Leave the service running afterwards; the default on a terminal.")
+@click.option(
+    "--keep/--no-keep",
+    default=None,
+    help="Leave the service running afterwards; the default on a terminal.",
+)
 @click.pass_context
 def command(
     context: click.Context, port: int, data_dir: Path | None, model: str, keep: bool | None
@@ -62,7 +65,9 @@ def _service(options: list[str]) -> Iterator[subprocess.Popen[bytes]]:
     with tempfile.NamedTemporaryFile("w+", prefix="progprompt-demo-", suffix=".log") as log:
         process = subprocess.Popen(
             [sys.executable, "-m", "app.cli", "serve", *options],
-            stdout=log, stderr=subprocess.STDOUT, env=os.environ,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            env=os.environ,
         )
         try:
             yield process
