@@ -46,7 +46,7 @@ def roll_out(
     draft = planner.write_program(task, model, _ignore)
     program, plan = understand(draft.program, task.scene, world)
     events: list[ExecutionEvent] = []
-    carry_out(plan, goal, world.open(task.scene, seed), _collect(events))
+    carry_out(plan, goal, world.open(task.scene, seed), collect(events))
     trace = Trace(events=tuple(events))
     return Rollout(
         draft=draft,
@@ -78,7 +78,7 @@ def carry_out(plan: Plan, goal: Goal, world: World, record: Record, *, start: in
 def rehearse(plan: Plan, goal: Goal, world: WorldDescription, scene: Scene, seed: int) -> Scores:
     """The scores the plan would get if no action ever slipped."""
     events: list[ExecutionEvent] = []
-    carry_out(plan, goal, world.open_perfect(scene, seed), _collect(events))
+    carry_out(plan, goal, world.open_perfect(scene, seed), collect(events))
     return score(Trace(events=tuple(events)))
 
 
@@ -102,7 +102,9 @@ def offered(world: WorldDescription, scene: Scene) -> tuple[ActionSignature, ...
     return tuple(action for action in world.actions if action.name in scene.actions)
 
 
-def _collect(events: list[ExecutionEvent]) -> Record:
+def collect(events: list[ExecutionEvent]) -> Record:
+    """Records what happens as events at the end of the list."""
+
     def record(happening: Happening) -> None:
         if not isinstance(happening, Checkpoint | Tick):
             events.append(happening)

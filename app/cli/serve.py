@@ -64,6 +64,7 @@ def _serve(settings: Settings, listener: socket.socket, url: str) -> None:
             log_level="warning",
             timeout_graceful_shutdown=SHUTDOWN_LIMIT,
             ws_max_size=2**26,
+            ws_per_message_deflate=False,  # viser compresses what is worth it
         )
         telling.start()
         uvicorn.Server(config).run(sockets=[listener])

@@ -10,11 +10,11 @@ from app.domain.instruction import Instruction
 from app.domain.llm import LanguageModel
 from app.domain.planner import PlannerOptions, Task
 from app.domain.scene import Scene, SceneObject
-from app.domain.trace import Checkpoint, ExecutionEvent, Happening, Tick, Trace
+from app.domain.trace import ExecutionEvent, Trace
 from app.evaluation.intervals import wilson
 from app.planners import planners
 from app.programs.conditions import parse_condition
-from app.rollout import Scores, carry_out, offered, rehearse, score, understand
+from app.rollout import Scores, carry_out, collect, offered, rehearse, score, understand
 from app.worlds import worlds
 
 SUITE = Path(__file__).resolve().parents[2] / "static" / "suites" / "robot-tasks.json"
@@ -87,7 +87,7 @@ def run_robot_task(
     rollouts: list[Scores] = []
     for seed in range(layouts):
         events: list[ExecutionEvent] = []
-        carry_out(plan, goal, world.open(scene, seed), _keep(events))
+        carry_out(plan, goal, world.open(scene, seed), collect(events))
         rollouts.append(score(Trace(events=tuple(events))))
         on_layout(rollouts[-1])
     return RobotRow(
@@ -103,14 +103,6 @@ def run_robot_task(
         program=draft.program,
         plan_seconds=draft.completion.seconds,
     )
-
-
-def _keep(events: list[ExecutionEvent]) -> Callable[[Happening], None]:
-    def record(happening: Happening) -> None:
-        if not isinstance(happening, Checkpoint | Tick):
-            events.append(happening)
-
-    return record
 
 
 def _mean(rollouts: list[Scores], name: str) -> float:

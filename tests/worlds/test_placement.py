@@ -222,7 +222,7 @@ def test_five_thousand_objects_are_refused_at_once():
     many = scene(*(f"banana {index}" for index in range(5000)))
     start = time.process_time()
     found = refusals(many)
-    assert time.process_time() - start < 0.05
+    assert time.process_time() - start < 0.2
     assert "5,000" in found["scene.objects"]
     assert str(MAX_OBJECTS) in found["scene.objects"]
 
