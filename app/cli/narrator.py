@@ -8,6 +8,8 @@ from rich.syntax import Syntax
 
 from app.domain.program import literal
 
+SCORES = {"sr": "SR", "gcr": "GCR", "exec": "Exec", "precision": "precision"}
+
 
 class Narrator:
     """Prints a plan and its rollout as they happen."""
@@ -15,6 +17,7 @@ class Narrator:
     def __init__(self, console: Console) -> None:
         self._console = console
         self._writing = False
+        self._written = False
 
     def plan_accepted(self, plan: dict[str, Any]) -> None:
         """The service took the instruction."""
@@ -26,7 +29,7 @@ class Narrator:
         """One line (or some more of the program) per event."""
         kind = event["kind"]
         if kind == "completion_grew":
-            self._writing = True
+            self._writing = self._written = True
             self._console.print(escape(event["text"]), end="", style="cyan", soft_wrap=True)
             return
         if self._writing:
@@ -38,10 +41,11 @@ class Narrator:
     def plan_ready(self, plan: dict[str, Any]) -> None:
         """The program as it was understood, or why there is none."""
         usage = plan.get("usage") or {}
-        if plan.get("program"):
-            self._console.print(
-                Syntax(plan["program"].strip(), "python", background_color="default")
+        if plan.get("program") and not self._written:
+            code = Syntax(
+                plan["program"].strip(), "python", background_color="default", word_wrap=True
             )
+            self._console.print(code)
         if usage.get("seconds") is not None:
             self._console.print(
                 f"[dim]planned by {escape(str(usage.get('model')))} in {usage['seconds']:.1f} s "
@@ -55,11 +59,10 @@ class Narrator:
 
     def execution_over(self, plan: dict[str, Any], execution: dict[str, Any]) -> None:
         """Scores and outcome."""
-        scores = {**(execution.get("scores") or {})}
-        plan_sr = (plan.get("plan_scores") or {}).get("sr")
-        told = [f"{name.upper()} {_number(value)}" for name, value in scores.items()]
-        if plan_sr is not None:
-            told.insert(1, f"Plan SR {_number(plan_sr)}")
+        scores = execution.get("scores") or {}
+        plan_scores = plan.get("plan_scores") or {}
+        told = [f"{label} {_number(scores.get(name))}" for name, label in SCORES.items()]
+        told.append(f"Plan SR {_number(plan_scores.get('sr'))}")
         colour = "green" if plan["status"] == "succeeded" else "red"
         self._console.print(f"[bold {colour}]{plan['status']}[/]  " + "  ".join(told))
 

@@ -1,0 +1,38 @@
+import json
+
+import pytest
+from click.testing import CliRunner
+
+from app.cli.plan import command
+
+NOBODY = "http://127.0.0.1:9"
+
+
+@pytest.fixture
+def run(tmp_path):
+    def run(content, *options):
+        file = tmp_path / "scene.json"
+        file.write_text(content)
+        arguments = ["put the banana in the bowl", f"--scene={file}", f"--url={NOBODY}", *options]
+        return CliRunner().invoke(command, arguments)
+
+    return run
+
+
+def test_where_no_service_answers_it_says_how_to_start_one(run):
+    result = run(json.dumps({"world": "tabletop", "objects": [{"name": "banana"}]}))
+    assert result.exit_code == 1
+    assert f"no service answers at {NOBODY}" in result.output
+    assert "progprompt serve" in result.output
+
+
+def test_a_scene_file_that_is_not_json_is_named(run):
+    result = run("{world")
+    assert result.exit_code == 1
+    assert "scene.json is not JSON" in result.output
+
+
+def test_a_scene_file_that_is_no_object_is_refused(run):
+    result = run("[]")
+    assert result.exit_code == 1
+    assert "should hold a JSON object" in result.output
