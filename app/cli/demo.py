@@ -73,8 +73,9 @@ def _service(options: list[str]) -> Iterator[subprocess.Popen[bytes]]:
             yield process
         except click.ClickException as error:
             log.seek(0)
-            error.message += f"\n--- the service's last lines ---\n{log.read()[-2000:]}"
-            raise
+            raise click.ClickException(
+                f"{error.message}\n--- the service's last lines ---\n{log.read()[-2000:]}"
+            ) from error
         finally:
             process.terminate()
             try:
