@@ -1,0 +1,59 @@
+"""``progprompt train``: an adapter of one's own, from nothing, on an ordinary computer."""
+
+import os
+from pathlib import Path
+
+import click
+from rich.console import Console
+
+from app.llm.backend import PROCESS_ENVIRONMENT
+from app.llm.models import find_model
+from app.llm.sources import weight_store
+from app.main.models import llm_config
+from app.settings import Settings
+
+QUICK = {"scenes": 400, "minutes": 30.0, "per_kind": 2}
+
+
+@click.command()
+@click.option("--base", default="small", show_default=True, help="The model to adapt.")
+@click.option("--out", type=click.Path(path_type=Path), default=Path("adapter"), show_default=True)
+@click.option("--quick", is_flag=True, help="A small run, within 40 minutes on two cores.")
+@click.option(
+    "--scenes", default=1200, show_default=True, help="Made-up scenes, of four tasks each."
+)
+@click.option("--minutes", default=120.0, show_default=True, help="End training after this long.")
+@click.option("--threads", default=2, show_default=True)
+@click.option("--seed", default=1, show_default=True)
+@click.option(
+    "--first-layer", default=6, show_default=True, help="Adapt this layer and those above."
+)
+@click.option("--per-kind", default=5, show_default=True, help="Held-out tasks of each kind.")
+@click.option(
+    "--suite",
+    type=click.Path(path_type=Path, exists=True),
+    multiple=True,
+    help="More instructions to measure on, as JSON lines.",
+)
+@click.option(
+    "--compare", default=None, help="Measure this plain model with the paper's prompt too."
+)
+def command(*, quick: bool, base: str, out: Path, **options: object) -> None:
+    """Generate tasks, train on them, convert, measure, and write a card; run again to resume."""
+    os.environ.update(PROCESS_ENVIRONMENT)  # before torch loads the thread library
+    try:
+        # The extra "train" is large; every other command must start without it.
+        from app.training import pipeline  # noqa: PLC0415
+    except ModuleNotFoundError as error:
+        raise click.ClickException(
+            "training needs: pip install 'progprompt[train,local]'"
+        ) from error
+    config = llm_config(Settings.from_environment())
+    weights = find_model(base, config).weights
+    if weights is None:
+        raise click.BadParameter(f"{base} has no file of weights", param_hint="--base")
+    file = weight_store(config).ensure(weights)
+    compare = options.pop("compare")
+    chosen = {**options, **(QUICK if quick else {})}
+    recipe = pipeline.Recipe(name=out.name, base=file, out=out, **chosen)
+    pipeline.run(recipe, config, str(compare) if compare else None, Console().print)
