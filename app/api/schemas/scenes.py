@@ -30,8 +30,10 @@ class ObjectGiven(Given):
         default=None, description="Length, width, height of its bounding box at rest [m]."
     )
     container: bool = Field(default=False, description="Whether others may be put into or onto it.")
-    position: tuple[Metres, Metres] | tuple[Metres, Metres, Metres] | None = Field(
+    position: list[Metres] | None = Field(
         default=None,
+        min_length=2,
+        max_length=3,
         description="Where its footprint's centre stands, x, y and optionally the height z of its "
         "underside [m], in the table frame; sampled free of collision where missing.",
     )
@@ -42,7 +44,7 @@ class ObjectGiven(Given):
     def to_domain(self) -> SceneObject:
         """The object."""
         values = self.model_dump(exclude={"position"})
-        position = None if self.position is None else (*self.position, 0.0)[:3]
+        position = None if self.position is None else tuple((*self.position, 0.0)[:3])
         return SceneObject(**values, position=position)  # pyright: ignore[reportArgumentType]
 
 
