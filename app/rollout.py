@@ -1,17 +1,14 @@
-"""The paper in a few lines: write a program, ground it, carry it out, score it.
+"""What becomes of a program a planner wrote: understand it, rehearse it, carry it out, score it.
 
 Nothing is stored here; whoever calls is told of every event as it happens.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from app.domain.action import ActionSignature
 from app.domain.errors import UnknownName
 from app.domain.goal import Goal
-from app.domain.llm import LanguageModel
 from app.domain.plan import Plan
-from app.domain.planner import Draft, Planner, Task
 from app.domain.program import Program
 from app.domain.scene import Scene
 from app.domain.trace import Checkpoint, ExecutionEvent, Happening, Tick, Trace
@@ -23,39 +20,6 @@ from app.scores import scores
 
 Scores = dict[str, float | None]
 Record = Callable[[Happening], None]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Rollout:
-    """One instruction from the sentence to its scores."""
-
-    draft: Draft
-    program: Program
-    plan: Plan
-    trace: Trace
-    plan_scores: Scores
-    """With a perfect executor: Plan SR is ``plan_scores["sr"]``."""
-    scores: Scores
-
-
-def roll_out(
-    task: Task, goal: Goal, planner: Planner, model: LanguageModel, world: WorldDescription
-) -> Rollout:
-    """Plan the task and carry the plan out in its world, from the planner's seed."""
-    seed = task.options.seed
-    draft = planner.write_program(task, model, _ignore)
-    program, plan = understand(draft.program, task.scene, world)
-    events: list[ExecutionEvent] = []
-    carry_out(plan, goal, world.open(task.scene, seed), collect(events))
-    trace = Trace(events=tuple(events))
-    return Rollout(
-        draft=draft,
-        program=program,
-        plan=plan,
-        trace=trace,
-        plan_scores=rehearse(plan, goal, world, task.scene, seed),
-        scores=score(trace),
-    )
 
 
 def understand(text: str, scene: Scene, world: WorldDescription) -> tuple[Program, Plan]:
