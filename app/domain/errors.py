@@ -12,14 +12,17 @@ ProgPromptError
 ├── ModelError              a language model could not be asked
 │   ├── ModelUnavailable    no weights, no key, no connection
 │   └── CompletionFailed    asked, but what came back is unusable
+├── TaskDeclined            there is no right plan: absent, impossible, ambiguous or hazardous
 ├── ActionFailure           a step of a plan did not succeed; carries stage and reason
 └── Cancelled               somebody asked for the work to stop
 """
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Literal
 
 from app.domain.llm import Completion
+from app.domain.program import ActionCall
 
 
 class ProgPromptError(Exception):
@@ -100,12 +103,37 @@ class CompletionFailed(ModelError):
         super().__init__(message)
 
 
+class TaskDeclined(ProgPromptError):
+    """A planner will not plan this; nothing is moved.
+
+    ``kind`` is why: an object is ``absent``, a relation ``impossible``, the wording ``ambiguous``, the
+    request ``hazardous``, or the planner ``unsure``. ``question`` asks back, ``choices`` are the instructions that
+    would have been clear.
+    """
+
+    def __init__(
+        self,
+        reason: str,
+        *,
+        kind: Literal["absent", "impossible", "ambiguous", "hazardous", "unsure"],
+        question: str | None = None,
+        choices: tuple[str, ...] = (),
+    ) -> None:
+        self.reason = reason
+        self.kind = kind
+        self.question = question
+        self.choices = choices
+        super().__init__(reason)
+
+
 class ActionFailure(ProgPromptError):
     """A step of a plan did not succeed in its world."""
 
-    def __init__(self, stage: str, reason: str) -> None:
+    def __init__(self, stage: str, reason: str, *, remedy: tuple[ActionCall, ...] = ()) -> None:
         self.stage = stage
         self.reason = reason
+        self.remedy = remedy
+        """Calls that would bring about the precondition that is missing, where there are any."""
         super().__init__(f"{stage}: {reason}")
 
 

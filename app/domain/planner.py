@@ -2,9 +2,10 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Literal, Protocol
 
 from app.domain.action import ActionSignature
+from app.domain.condition import Relation
 from app.domain.instruction import Instruction
 from app.domain.llm import Completion, LanguageModel
 from app.domain.scene import Scene
@@ -26,6 +27,25 @@ class PlannerOptions:
     temperature: float = 0.0
     seed: int = 0
     max_tokens: int = 600
+    objects: Literal["local", "global", "properties"] | None = None
+    """Where the prompt lists the objects; None for the world's own form."""
+    choice: Literal["fixed", "random", "similar"] = "fixed"
+    """How the example programs are chosen."""
+    state_check: Literal["world", "model", "both"] = "world"
+    """Who decides assertions: the world's relations, the paper's state-check prompt, or both."""
+    repair: bool = False
+    """Insert what an action's missing precondition calls for, by the perfect executor."""
+    max_replans: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Turn:
+    """An earlier plan of the same dialogue, or an earlier try at the same instruction."""
+
+    instruction: str
+    program: str
+    outcome: str = ""
+    """What came of it, in words: the failed steps and the unmet assertions; empty where all went well."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,6 +57,12 @@ class Task:
     actions: tuple[ActionSignature, ...]
     instruction: Instruction
     options: PlannerOptions
+    facts: frozenset[Relation] = frozenset()
+    """What is true where the plan begins, of the relations worth telling."""
+    history: tuple[Turn, ...] = ()
+    """The dialogue so far, oldest first: what "it", "the other one" and "undo" refer to."""
+    failed: Turn | None = None
+    """The try that this plan replaces: its steps up to the failure are done already."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,6 +73,8 @@ class Draft:
     completion: Completion
     program: str
     """The text of the whole function, ready to be parsed."""
+    confidence: float | None = None
+    """How sure the planner is, 0 to 1, where it can tell."""
 
 
 Report = Callable[[PlanningEvent], bool]
@@ -61,6 +89,7 @@ class Planner(Protocol):
 
         Raises:
             ModelError: the model could not be asked, or gave nothing usable.
+            TaskDeclined: there is no right plan; the reason is for a person to read.
             Cancelled: ``report`` asked for it.
         """
         ...

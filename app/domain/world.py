@@ -83,6 +83,10 @@ class WorldDescription(Protocol):
     actions: tuple[ActionSignature, ...]
     relations: dict[str, int]
     """The relations it can decide, with their number of arguments."""
+    moves: bool
+    """Whether its rollouts have frames of a simulated model to show."""
+    feedback: bool
+    """Whether its example programs hold assertions unless asked otherwise, as in the paper."""
 
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""

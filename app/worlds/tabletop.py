@@ -31,6 +31,8 @@ class Tabletop:
 
     name = "tabletop"
     relations = RELATIONS
+    moves = True
+    feedback = False
 
     actions = tuple(action.signature for action in primitives.values())
 
