@@ -42,11 +42,24 @@ class PerfectTabletop:
     name = "perfect"
 
     def __init__(self, tabletop):
+        self._tabletop = tabletop
         self.actions = tabletop.actions
+        self.default_actions = tabletop.default_actions
         self.relations = tabletop.relations
         self.catalogue = tabletop.catalogue
         self.complete = tabletop.complete
-        self.open = self.open_perfect = tabletop.open_perfect
+        self.moves = False
+        self.feedback = False
+        self.planner = "progprompt"
+
+    def open(self, scene, seed):
+        return self.open_perfect(scene, seed)
+
+    def open_perfect(self, scene, seed, state=None):
+        world = self._tabletop.open_perfect(scene, seed)
+        if state is not None:
+            world.restore(state)
+        return world
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -6,9 +6,8 @@ from app.storage import executions, frames
 from app.storage.database import Database
 from app.storage.documents import read_scene
 from app.view.source import NoMotion
+from app.worlds import worlds
 from app.worlds.simulators.mujoco.scene_builder import build
-
-MOVING_WORLDS = ("tabletop",)
 
 
 class StoredRollout:
@@ -24,7 +23,7 @@ class StoredRollout:
         self._id = execution_id
         with database.reading() as session:
             self._scene = read_scene(executions.get(session, execution_id).scene)
-        if self._scene.world not in MOVING_WORLDS:
+        if not worlds[self._scene.world].moves:
             raise NoMotion(execution_id)
 
     def model(self):  # noqa: ANN201 - MuJoCo's types stay out of this room

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from sqlalchemy.exc import IntegrityError
+from sqlalchemy.orm import Session
 
 from app.api.parts import Parts
 from app.api.schemas.plans import PlanGiven
@@ -19,7 +20,7 @@ from app.llm.models import find_model
 from app.planners import planners
 from app.programs.conditions import parse_goal
 from app.rollout import offered, rehearse, understand
-from app.storage import events, plans, scenes
+from app.storage import checkpoints, dialogue, events, plans, scenes
 from app.storage.base import new_id, now
 from app.storage.documents import plan_columns, read_scene, scene_document
 from app.storage.plans import PlanRow
@@ -81,11 +82,15 @@ def _checked(parts: Parts, request: PlanGiven) -> tuple[PlanRow, Program | None]
     check.raise_if_any()
     assert scene is not None
     world = worlds[scene.world]
+    state = None
+    if request.parent is not None:
+        with parts.database.reading() as session:
+            state = _state_after(session, request.parent)
     goal = check(lambda: parse_goal(request.goal, scene, world.relations))
     understood = None
     if request.program is not None:
         text = request.program
-        understood = check(lambda: _understood(text, scene, world))
+        understood = check(lambda: flawless(text, scene, world))
     check.raise_if_any()
     row = PlanRow(
         id=new_id("pl"),
@@ -93,13 +98,14 @@ def _checked(parts: Parts, request: PlanGiven) -> tuple[PlanRow, Program | None]
         status="queued",
         instruction=_sentence(request, understood),
         scene_id=request.scene_id,
+        parent=request.parent,
         given_scene=scene_document(given),
         scene=scene_document(scene),
         seed=request.seed,
         execute=request.execute,
         approval=request.approval,
         goal=request.goal,
-        planner={} if understood else _options(request),
+        planner={} if understood else _options(parts, request, world),
     )
     if understood is not None and goal is not None:
         program, plan = understood
@@ -107,7 +113,7 @@ def _checked(parts: Parts, request: PlanGiven) -> tuple[PlanRow, Program | None]
         for name, value in plan_columns(program, plan).items():
             setattr(row, name, value)
         if request.goal:
-            row.plan_scores = rehearse(plan, goal, world, scene, request.seed)
+            row.plan_scores = rehearse(plan, goal, world, scene, request.seed, state=state)
     return row, understood[0] if understood else None
 
 
@@ -126,6 +132,8 @@ def _store(parts: Parts, row: PlanRow, program: Program | None) -> None:
 def _given_scene(parts: Parts, request: PlanGiven) -> Scene:
     if request.scene is not None:
         return request.scene.to_domain()
+    if request.parent is not None:
+        return _scene_of_parent(parts, request.parent)
     with parts.database.reading() as session:
         try:
             return read_scene(scenes.get(session, request.scene_id or "").scene)
@@ -133,7 +141,24 @@ def _given_scene(parts: Parts, request: PlanGiven) -> Scene:
             raise Refused(Fault(field="scene_id", message=str(error))) from error
 
 
-def _understood(text: str, scene: Scene, world: WorldDescription) -> tuple[Program, Plan]:
+def _scene_of_parent(parts: Parts, parent: str) -> Scene:
+    with parts.database.reading() as session:
+        try:
+            row = plans.get(session, parent)
+        except NotThere as error:
+            raise Refused(Fault(field="parent", message=str(error))) from error
+    if row.status in plans.UNFINISHED:
+        message = f"the plan is {row.status}; a plan can follow once it has ended"
+        raise Refused(Fault(field="parent", message=message))
+    return read_scene(row.scene)
+
+
+def _state_after(session: Session, parent: str) -> bytes | None:
+    before = dialogue.last_execution(session, plans.get(session, parent))
+    return checkpoints.before(session, before, checkpoints.END) if before else None
+
+
+def flawless(text: str, scene: Scene, world: WorldDescription) -> tuple[Program, Plan]:
     """A program written by hand has to be right in all its calls."""
     program, plan = understand(text, scene, world)
     if plan.rejected:
@@ -146,8 +171,8 @@ def _understood(text: str, scene: Scene, world: WorldDescription) -> tuple[Progr
     return program, plan
 
 
-def _known_planner(name: str) -> None:
-    if name not in planners:
+def _known_planner(name: str | None) -> None:
+    if name is not None and name not in planners:
         raise UnknownName("planner", name, planners, field="planner.name")
 
 
@@ -165,9 +190,13 @@ def _sentence(request: PlanGiven, understood: tuple[Program, Plan] | None) -> st
     return understood[0].name.replace("_", " ") if understood else ""
 
 
-def _options(request: PlanGiven) -> dict[str, Any]:
+def _options(parts: Parts, request: PlanGiven, world: WorldDescription) -> dict[str, Any]:
+    """The planner's options with every default filled in, as they are recorded."""
     options = request.planner.model_dump()
-    options["feedback"] = bool(options["feedback"])  # The tabletop's own default is false.
+    if options["feedback"] is None:
+        options["feedback"] = world.feedback
+    named = {options["model"], parts.default_model} != {"default"}
+    options["name"] = options["name"] or ("progprompt" if named else world.planner)
     return options
 
 

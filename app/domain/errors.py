@@ -107,8 +107,8 @@ class TaskDeclined(ProgPromptError):
     """A planner will not plan this; nothing is moved.
 
     ``kind`` is why: an object is ``absent``, a relation ``impossible``, the wording ``ambiguous``, the
-    request ``hazardous``, or the planner ``unsure``. ``question`` asks back, ``choices`` are the instructions that
-    would have been clear.
+    request ``hazardous``, or the planner ``unsure``. ``question`` asks back, ``choices`` are the
+    instructions that would have been clear. What the model was asked and wrote is kept, if it was.
     """
 
     def __init__(
@@ -118,11 +118,15 @@ class TaskDeclined(ProgPromptError):
         kind: Literal["absent", "impossible", "ambiguous", "hazardous", "unsure"],
         question: str | None = None,
         choices: tuple[str, ...] = (),
+        prompt: str | None = None,
+        completion: Completion | None = None,
     ) -> None:
         self.reason = reason
         self.kind = kind
         self.question = question
         self.choices = choices
+        self.prompt = prompt
+        self.completion = completion
         super().__init__(reason)
 
 

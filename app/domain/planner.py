@@ -1,8 +1,8 @@
 """Planner: from scene and instruction to a program."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal, Protocol, runtime_checkable
 
 from app.domain.action import ActionSignature
 from app.domain.condition import Relation
@@ -84,6 +84,9 @@ Report = Callable[[PlanningEvent], bool]
 class Planner(Protocol):
     """One way of getting from a sentence to a program."""
 
+    model: str
+    """Name of the model it does best with; what ``default`` stands for."""
+
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Ask the model for the program of this task.
 
@@ -92,4 +95,13 @@ class Planner(Protocol):
             TaskDeclined: there is no right plan; the reason is for a person to read.
             Cancelled: ``report`` asked for it.
         """
+        ...
+
+
+@runtime_checkable
+class Preambled(Protocol):
+    """A planner whose prompts begin alike, so that a model can have read that beforehand."""
+
+    def preamble(self, world: str, actions: Sequence[ActionSignature]) -> str:
+        """What its prompts begin with as long as nobody asks for other switches."""
         ...

@@ -28,6 +28,8 @@ class SceneObject:
     """Where its footprint's centre stands [m]; z is the height of its underside."""
     yaw: float | None = None
     """Rotation about z [rad]."""
+    properties: tuple[tuple[str, str], ...] = ()
+    """Whatever else is known of it, by name: ``("material", "wood")``."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -81,12 +81,16 @@ class WorldDescription(Protocol):
 
     name: str
     actions: tuple[ActionSignature, ...]
+    default_actions: tuple[str, ...]
+    """Names of the actions on offer where a scene names none."""
     relations: dict[str, int]
     """The relations it can decide, with their number of arguments."""
     moves: bool
     """Whether its rollouts have frames of a simulated model to show."""
     feedback: bool
     """Whether its example programs hold assertions unless asked otherwise, as in the paper."""
+    planner: str
+    """Name of the planner that does best in it."""
 
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""
@@ -104,6 +108,9 @@ class WorldDescription(Protocol):
         """A world with this scene (completed or not) in it, at rest, time 0."""
         ...
 
-    def open_perfect(self, scene: Scene, seed: int) -> World:
-        """The same scene in the perfect executor: facts only, every admissible action succeeds."""
+    def open_perfect(self, scene: Scene, seed: int, state: bytes | None = None) -> World:
+        """The same scene in the perfect executor: facts only, every admissible action succeeds.
+
+        ``state`` is what a world of ``open`` saved: the perfect executor begins there.
+        """
         ...

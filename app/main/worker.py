@@ -1,8 +1,10 @@
 """A worker process, put together; it knows nothing of HTTP or of views, and so starts fast."""
 
-from app.domain.planner import PlannerOptions
+from app.domain.planner import Preambled
+from app.domain.scene import Scene
 from app.main.models import llm_config
-from app.programs.prompt import write_preamble
+from app.planners import planners
+from app.rollout import offered
 from app.settings import Settings
 from app.storage.database import Database
 from app.storage.handover import Handover
@@ -21,17 +23,25 @@ def create_worker(settings: Settings, queue: Queue, worker_id: str) -> WorkerPro
     if queue == "planning":
         models = Models(llm_config(settings), settings.model)
         desk = Planning(database, handover, models)
-        prepare = [_load_worlds, models.load_default, lambda: models.warm_default(_preamble())]
+        model, preamble = _expected(settings)
+        prepare = [
+            _load_worlds,
+            lambda: models.load(model),
+            lambda: models.warm(model, preamble),
+        ]
     else:
         desk = Simulation(database, handover)
         prepare = [_load_worlds]
     return WorkerProcess(database, queue, worker_id, desk=desk, prepare=prepare)
 
 
-def _preamble() -> str:
-    """What the prompts of the tabletop begin with, as long as nobody asks for other switches."""
+def _expected(settings: Settings) -> tuple[str, str]:
+    """The model that most plans will want, and what their prompts will begin with."""
     world = worlds["tabletop"]
-    return write_preamble(world.name, world.actions, PlannerOptions())
+    planner = planners[world.planner if settings.model == "default" else "progprompt"]
+    actions = offered(world, Scene(world=world.name))
+    preamble = planner.preamble(world.name, actions) if isinstance(planner, Preambled) else ""
+    return planner.model, preamble
 
 
 def _load_worlds() -> str:

@@ -25,6 +25,8 @@ _HEAD = re.compile(r"\A(?:[^\n]*\n)??def \w+\(\):[^\n]*\n(?:[ \t]+objects = [^\n
 class ProgPrompt:
     """Asks once for the whole function, as the paper does."""
 
+    model = "qwen2.5-coder-1.5b"
+
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Ask the model for the program of this task.
 

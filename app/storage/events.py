@@ -85,6 +85,11 @@ def of_execution(session: Session, execution_id: str) -> list[ExecutionEvent]:
     return [event for event in all_of(session, execution_id) if not isinstance(event, planning)]
 
 
+def same(session: Session, owner: str, other: str) -> bool:
+    """Whether the same things happened to both, at the same simulated times."""
+    return all_of(session, owner) == all_of(session, other)
+
+
 def newest(session: Session) -> int:
     """A number that grows whenever an event is written, whoever owns it."""
     return session.scalar(select(func.max(EventRow.serial))) or 0

@@ -1,4 +1,4 @@
-"""Executions: one plan run once, with the checkpoint from which it can be taken up again."""
+"""Executions: one program run once, from the start of its scene or from where another left off."""
 
 from collections.abc import Collection
 from datetime import datetime
@@ -8,7 +8,6 @@ from sqlalchemy import (
     JSON,
     BigInteger,
     ForeignKey,
-    LargeBinary,
     String,
     Text,
     bindparam,
@@ -16,7 +15,7 @@ from sqlalchemy import (
     select,
     update,
 )
-from sqlalchemy.orm import Mapped, Session, deferred, mapped_column
+from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.domain.errors import NotThere
 from app.storage.base import Base, Moment
@@ -40,6 +39,18 @@ class ExecutionRow(Base):
     seed: Mapped[int] = mapped_column(BigInteger)
     scene: Mapped[dict[str, Any]] = mapped_column(JSON)
     """As its world completed it from this execution's seed."""
+    program: Mapped[str] = mapped_column(Text, default="")
+    """The whole function it runs; the plan's may be a later one."""
+    options: Mapped[dict[str, Any]] = mapped_column(JSON, default=dict)
+    """How its world is opened and who decides assertions."""
+    begins_after: Mapped[str | None] = mapped_column(String(32))
+    """The execution whose world it takes over; None for the scene as described."""
+    begins_at_line: Mapped[int | None]
+    """It takes that world over before this line of the program, and runs from there."""
+    rerun_of: Mapped[str | None] = mapped_column(String(32))
+    """The execution it repeats, to be compared with."""
+    identical: Mapped[bool | None]
+    """Whether its trace is the same, bit for bit."""
 
     scores: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))
     final_state: Mapped[list[str] | None] = mapped_column(JSON(none_as_null=True))
@@ -50,9 +61,8 @@ class ExecutionRow(Base):
     attempts: Mapped[int] = mapped_column(default=0)
     """How often a worker died over it since the last checkpoint."""
     cancel_requested: Mapped[bool] = mapped_column(default=False)
-    checkpoint: Mapped[bytes | None] = deferred(mapped_column(LargeBinary))
-    """The world's own state after the last finished step."""
     next_step: Mapped[int] = mapped_column(default=0)
+    """The step that comes after its last checkpoint."""
     next_event: Mapped[int] = mapped_column(default=0)
     next_frame: Mapped[int] = mapped_column(default=0)
 

@@ -2,7 +2,7 @@
 
 from sqlalchemy.orm import Session
 
-from app.storage import executions
+from app.storage import dialogue, executions
 from app.storage.base import new_id, now
 from app.storage.executions import ExecutionRow
 from app.storage.jobs import Jobs
@@ -28,27 +28,32 @@ class Handover:
         elif plan.approval == "manual":
             plan.status = "awaiting_approval"
         else:
-            self.approved(session, plan, seed=plan.seed, scene=plan.scene)
+            self.approved(session, plan, execution_of(session, plan))
 
-    def approved(
-        self, session: Session, plan: PlanRow, *, seed: int, scene: dict[str, object]
-    ) -> ExecutionRow:
-        """It may be carried out, in the given (completed) scene."""
+    def approved(self, session: Session, plan: PlanRow, execution: ExecutionRow) -> ExecutionRow:
+        """The plan may be carried out, in this way."""
         plan.status = "executing"
         plan.error = None
         plan.finished_at = None
-        execution = ExecutionRow(
-            id=new_id("ex"),
-            plan_id=plan.id,
-            created_at=now(),
-            status="queued",
-            seed=seed,
-            scene=scene,
-        )
         session.add(execution)
         session.flush()
         self._jobs.enqueue(session, "simulation", execution.id)
         return execution
+
+    def may_replan(self, plan: PlanRow, execution: ExecutionRow) -> bool:
+        """Whether the plan is to be made anew after this execution of it failed."""
+        wanted = plan.replans < plan.planner.get("max_replans", 0) and not plan.cancel_requested
+        return wanted and execution.program == plan.program and execution.rerun_of is None
+
+    def replan(self, session: Session, plan: PlanRow, execution_id: str, outcome: str) -> None:
+        """What is left of the plan is planned anew, from where this execution left its world."""
+        tried = {"program": plan.program, "execution": execution_id, "outcome": outcome}
+        plan.tries = [*plan.tries, tried]
+        plan.replans += 1
+        plan.status = "queued"
+        plan.attempts = 0
+        session.flush()
+        self._jobs.enqueue(session, "planning", plan.id, job=f"{plan.id}-{plan.replans}")
 
     def executed(self, session: Session, plan: PlanRow, *, status: str, error: str | None) -> None:
         """One of its executions ended; when none is left, the plan has that one's outcome."""
@@ -62,3 +67,18 @@ class Handover:
             plan.status = "cancelled" if plan.cancel_requested else status  # pyright: ignore
             plan.error = error
             plan.finished_at = now()
+
+
+def execution_of(session: Session, plan: PlanRow) -> ExecutionRow:
+    """A new execution of the plan, as it was asked for; not stored yet."""
+    return ExecutionRow(
+        id=new_id("ex"),
+        plan_id=plan.id,
+        created_at=now(),
+        status="queued",
+        seed=plan.seed,
+        scene=plan.scene,
+        program=plan.program or "",
+        options={"state_check": plan.planner.get("state_check", "world")},
+        begins_after=dialogue.beginning(session, plan),
+    )

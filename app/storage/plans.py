@@ -4,7 +4,7 @@ from collections.abc import Collection
 from datetime import datetime
 from typing import Any, Literal
 
-from sqlalchemy import JSON, BigInteger, String, Text, bindparam, func, select, update
+from sqlalchemy import JSON, BigInteger, Double, String, Text, bindparam, func, select, update
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.domain.errors import NotThere
@@ -64,7 +64,14 @@ class PlanRow(Base):
     plan_scores: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))
     error: Mapped[str | None] = mapped_column(Text)
 
+    parent: Mapped[str | None] = mapped_column(String(32))
+    """The plan it follows in a dialogue."""
+    confidence: Mapped[float | None] = mapped_column(Double)
+    declined: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))
+    """Why the planner would not plan it: kind, reason, question, choices."""
     replans: Mapped[int] = mapped_column(default=0)
+    tries: Mapped[list[dict[str, Any]]] = mapped_column(JSON, default=list)
+    """The programs before this one, each with its execution and what came of it, oldest first."""
     attempts: Mapped[int] = mapped_column(default=0)
     """How often a worker has taken it up and neither finished nor stopped in good order."""
     cancel_requested: Mapped[bool] = mapped_column(default=False)

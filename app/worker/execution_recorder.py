@@ -5,7 +5,7 @@ import time
 from app.domain.errors import Cancelled
 from app.domain.trace import Checkpoint, ExecutionEvent, Happening, Tick
 from app.domain.world import World
-from app.storage import events, executions, frames
+from app.storage import checkpoints, events, executions, frames
 from app.storage.database import Database
 from app.storage.executions import ExecutionRow
 
@@ -55,11 +55,11 @@ class ExecutionRecorder:
             self._next_event += len(self._events)
             self._next_frame += len(recorded)
             if checkpoint is not None:
+                checkpoints.put(session, self._id, checkpoint.next_step, self._world.save())
                 executions.change(
                     session,
                     self._id,
                     when=("executing",),
-                    checkpoint=self._world.save(),
                     next_step=checkpoint.next_step,
                     next_event=self._next_event,
                     next_frame=self._next_frame,
@@ -70,3 +70,9 @@ class ExecutionRecorder:
         self._flushed_at = time.monotonic()
         if stop:
             raise Cancelled
+
+    def end(self) -> None:
+        """Write down the last of it, and the state in which the world is left."""
+        self.flush()
+        with self._database.transaction() as session:
+            checkpoints.put(session, self._id, checkpoints.END, self._world.save())

@@ -23,6 +23,8 @@ class Outcome:
     """Why it did not succeed, in a sentence."""
     failure: dict[str, Any] | None = None
     """The first step that failed: line, stage, reason."""
+    observed: str = ""
+    """What went wrong as a planner may learn it: the failed steps, never the goal conditions."""
     scores: Scores | None = None
     final_state: list[str] | None = None
 
@@ -44,6 +46,7 @@ def outcome(events: tuple[ExecutionEvent, ...], scores: Scores) -> Outcome:
         status="succeeded" if good else "failed",
         error=None if good else "; ".join(reasons),
         failure=_failure(failures[0]) if failures else None,
+        observed="" if good else "; ".join(map(_reason, failures)),
         scores=scores,
         final_state=sorted(print_condition(fact) for fact in finished[-1].facts)
         if finished

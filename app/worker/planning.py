@@ -2,25 +2,23 @@
 
 import logging
 from collections.abc import Callable
-from dataclasses import fields
 from typing import Any
 
-from app.domain.errors import Cancelled, CompletionFailed, ProgPromptError, Refused
+from app.domain.errors import Cancelled, CompletionFailed, ProgPromptError, Refused, TaskDeclined
 from app.domain.goal import Goal
-from app.domain.instruction import Instruction
 from app.domain.llm import Completion, LanguageModel
-from app.domain.planner import PlannerOptions, Task
 from app.domain.trace import PlanningFailed, ProgramGrounded
 from app.planners import planners
 from app.programs.conditions import parse_condition
-from app.rollout import offered, rehearse, understand
+from app.rollout import Planned, plan_task, rehearse
 from app.storage import plans
 from app.storage.base import now
 from app.storage.database import Database
-from app.storage.documents import plan_columns, read_scene
+from app.storage.documents import plan_columns
 from app.storage.handover import Handover
 from app.storage.plans import PlanRow
 from app.worker.planning_recorder import PlanningRecorder
+from app.worker.situation import Situation, situation_of
 from app.worlds import worlds
 
 MAX_ATTEMPTS = 3
@@ -34,8 +32,9 @@ class Planning:
         self,
         database: Database,
         handover: Handover,
-        open_model: Callable[[str], LanguageModel],
+        open_model: Callable[[str, str], LanguageModel],
     ) -> None:
+        """A desk; ``open_model`` gets the name a plan asks for, and the planner's own choice."""
         self._database = database
         self._handover = handover
         self._open_model = open_model
@@ -58,7 +57,7 @@ class Planning:
         except Exception as error:
             reason = _reason(error)
             recorder.report(PlanningFailed(reason=reason))
-            self._end(plan_id, status="failed", error=reason)
+            self._end(plan_id, status="failed", error=reason, declined=_declined(error))
 
     def stopping(self, plan_id: str, /) -> None:
         """The worker stops in good order in the middle of this plan: not the plan's fault."""
@@ -79,25 +78,29 @@ class Planning:
         return row if taken else None
 
     def _plan(self, row: PlanRow, recorder: PlanningRecorder) -> None:
-        task = _task(row)
-        model = self._open_model(task.options.model)
-        planner = planners[task.options.name]
+        with self._database.reading() as session:
+            situation = situation_of(session, row)
+        options = situation.task.options
+        planner = planners[options.name]
+        model = self._open_model(options.model, planner.model)
         try:
-            draft = planner.write_program(task, model, recorder.report)
-        except CompletionFailed as failed:
+            planned = plan_task(
+                situation.task, planner, model, situation.rehearsal, recorder.report
+            )
+        except (CompletionFailed, TaskDeclined) as failed:
             self._keep(row.id, failed.prompt, failed.completion)
             raise
-        self._keep(row.id, draft.prompt, draft.completion, program=draft.program)
-        world = worlds[task.scene.world]
-        program, plan = understand(draft.program, task.scene, world)
-        recorder.report(ProgramGrounded(steps=len(plan.calls), rejected=len(plan.rejected)))
-        goal = Goal(tuple(parse_condition(text) for text in row.goal))
-        scores = rehearse(plan, goal, world, task.scene, row.seed) if row.goal else None
+        draft = planned.draft
+        self._keep(row.id, draft.prompt, draft.completion, confidence=draft.confidence)
+        steps, rejected = len(planned.plan.calls), len(planned.plan.rejected)
+        recorder.report(ProgramGrounded(steps=steps, rejected=rejected))
+        scores = _plan_scores(row, situation, planned)
         with self._database.transaction() as session:
             found = plans.get(session, row.id, lock=True)
             if found.cancel_requested:
                 raise Cancelled
-            for name, value in plan_columns(program, plan).items():
+            found.program = planned.text
+            for name, value in plan_columns(planned.program, planned.plan).items():
                 setattr(found, name, value)
             found.plan_scores = scores
             self._handover.planned(session, found)
@@ -128,17 +131,26 @@ class Planning:
             plans.change(session, plan_id, when=("planning",), finished_at=now(), **values)
 
 
-def _task(row: PlanRow) -> Task:
-    scene = read_scene(row.scene)
-    switches = {field.name for field in fields(PlannerOptions)}
-    given = {name: value for name, value in row.planner.items() if name in switches}
-    options = PlannerOptions(**given, seed=row.seed)
-    return Task(
-        scene=scene,
-        actions=offered(worlds[scene.world], scene),
-        instruction=Instruction(row.instruction),
-        options=options,
-    )
+def _plan_scores(
+    row: PlanRow, situation: Situation, planned: Planned
+) -> dict[str, float | None] | None:
+    """The scores of the first plan under a perfect executor; a later one is only the rest of it."""
+    if not row.goal or row.replans:
+        return row.plan_scores
+    goal = Goal(tuple(parse_condition(text) for text in row.goal))
+    scene = situation.task.scene
+    return rehearse(planned.plan, goal, worlds[scene.world], scene, row.seed, state=situation.state)
+
+
+def _declined(error: Exception) -> dict[str, Any] | None:
+    if not isinstance(error, TaskDeclined):
+        return None
+    return {
+        "kind": error.kind,
+        "reason": error.reason,
+        "question": error.question,
+        "choices": list(error.choices),
+    }
 
 
 def _reason(error: Exception) -> str:

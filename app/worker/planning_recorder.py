@@ -2,7 +2,7 @@
 
 import time
 
-from app.domain.trace import CompletionGrew, PlanningEvent
+from app.domain.trace import CompletionGrew, Event, PlanningEvent, ProgramGrounded
 from app.storage import events, plans
 from app.storage.database import Database
 
@@ -21,8 +21,9 @@ class PlanningRecorder:
         self._database = database
         self._plan_id = plan_id
         with database.reading() as session:
-            stored = events.all_of(session, plan_id)
-        self._sequence = len(stored)
+            everything = events.all_of(session, plan_id)
+        self._sequence = len(everything)
+        stored = _this_time(everything)
         self._stored_kinds = {event.kind for event in stored}
         self._stored_text = "".join(e.text for e in stored if isinstance(e, CompletionGrew))
         self._replaying = bool(stored)
@@ -62,3 +63,9 @@ class PlanningRecorder:
         if text.startswith(self._stored_text):
             return [CompletionGrew(text=text[len(self._stored_text) :])]
         return self._retold
+
+
+def _this_time(stored: list[Event]) -> list[Event]:
+    """The events since the plan was last complete: before that, it was another program."""
+    ends = [place for place, event in enumerate(stored) if isinstance(event, ProgramGrounded)]
+    return stored[ends[-1] + 1 :] if ends else stored

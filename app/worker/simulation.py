@@ -1,4 +1,4 @@
-"""Simulation: the workflow that carries a plan out in its world and scores it."""
+"""Simulation: the workflow that carries a program out in its world and scores it."""
 
 import logging
 from typing import Any
@@ -6,8 +6,9 @@ from typing import Any
 from app.domain.errors import Cancelled, ProgPromptError
 from app.domain.goal import Goal
 from app.domain.trace import Trace
+from app.domain.world import World
 from app.programs.conditions import parse_condition
-from app.rollout import carry_out, score, understand
+from app.rollout import carry_out, score
 from app.storage import events, executions, plans
 from app.storage.base import now
 from app.storage.database import Database
@@ -17,6 +18,7 @@ from app.storage.handover import Handover
 from app.storage.plans import PlanRow
 from app.worker.execution_recorder import ExecutionRecorder
 from app.worker.outcome import Outcome, outcome
+from app.worker.takeover import state_of, steps_of
 from app.worlds import worlds
 
 MAX_ATTEMPTS = 3
@@ -60,7 +62,6 @@ class Simulation:
             )
             row = executions.get(session, execution_id)
             row.started_at = row.started_at or now()
-            _ = row.checkpoint  # loaded while the session lasts
             return (row, plans.get(session, row.plan_id)) if taken else None
 
     def _carry_out(self, row: ExecutionRow, asked: PlanRow) -> Outcome:
@@ -68,19 +69,26 @@ class Simulation:
             raise ProgPromptError(
                 f"the execution was given up: its worker died {MAX_ATTEMPTS} times at this step"
             )
-        scene = read_scene(row.scene)
-        description = worlds[scene.world]
-        _, plan = understand(asked.program or "", scene, description)
+        plan, world = steps_of(row), self._standing(row)
         goal = Goal(tuple(parse_condition(text) for text in asked.goal))
-        world = description.open(scene, row.seed)
-        if row.checkpoint is not None:
-            world.restore(row.checkpoint)
         recorder = ExecutionRecorder(self._database, row, world)
         carry_out(plan, goal, world, recorder.record, start=row.next_step)
-        recorder.flush()
+        recorder.end()
         with self._database.reading() as session:
             trace = Trace(events=tuple(events.of_execution(session, row.id)))
         return outcome(trace.events, score(trace))
+
+    def _standing(self, row: ExecutionRow) -> World:
+        """Its world, as it finds it."""
+        scene = read_scene(row.scene)
+        world = worlds[scene.world].open(scene, row.seed)
+        with self._database.reading() as session:
+            state = state_of(session, row)
+        if state is not None:
+            world.restore(state)
+            if row.next_step == 0:
+                world.frames()  # What the execution before it has told already.
+        return world
 
     def _end(self, execution_id: str, ended: Outcome) -> None:
         values: dict[str, Any] = {
@@ -89,11 +97,16 @@ class Simulation:
         }
         with self._database.transaction() as session:
             row = executions.get(session, execution_id)
+            if row.rerun_of is not None and ended.status != "cancelled":
+                values["identical"] = events.same(session, execution_id, row.rerun_of)
             executions.change(
                 session, execution_id, when=("executing",), finished_at=now(), **values
             )
             plan = plans.get(session, row.plan_id, lock=True)
-            self._handover.executed(session, plan, status=ended.status, error=ended.error)
+            if ended.observed and self._handover.may_replan(plan, row):
+                self._handover.replan(session, plan, execution_id, ended.observed)
+            else:
+                self._handover.executed(session, plan, status=ended.status, error=ended.error)
 
 
 def _reason(error: Exception) -> str:

@@ -33,6 +33,8 @@ class Tabletop:
     relations = RELATIONS
     moves = True
     feedback = False
+    planner = "progprompt"
+    default_actions = ("grab_and_putin",)
 
     actions = tuple(action.signature for action in primitives.values())
 
@@ -48,11 +50,14 @@ class Tabletop:
         """The scene in physics, settled, at time 0."""
         return TabletopWorld(complete(scene, seed), seed)
 
-    def open_perfect(self, scene: Scene, seed: int) -> World:
+    def open_perfect(self, scene: Scene, seed: int, state: bytes | None = None) -> World:
         """The scene's facts as it is described, without a step of physics."""
         scene = complete(scene, seed)
         built = build(scene)
-        facts = Relations(Physics(built)).every_fact()
+        physics = Physics(built)
+        if state is not None:
+            physics.restore(state[_COUNT.size :])
+        facts = Relations(physics).every_fact()
         return SymbolicWorld(scene, facts | _affordances(built), primitives)
 
 

@@ -79,7 +79,7 @@ def standing(migrated_file, tmp_path_factory):
 @pytest.fixture
 def plan_it(parts):
     """What the planning worker does with a plan."""
-    return Planning(parts.database, parts.handover, lambda name: ScriptedModel([Answer(text=BODY)]))
+    return Planning(parts.database, parts.handover, lambda *names: ScriptedModel([Answer(text=BODY)]))
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from app.llm.backends.scripted import Answer, ScriptedModel
 from app.storage import executions, plans
 from app.storage.base import new_id, now
 from app.storage.documents import scene_document
-from app.storage.handover import Handover
+from app.storage.handover import Handover, execution_of
 from app.storage.jobs import Jobs
 from app.storage.plans import PlanRow
 from app.worker.planning import Planning
@@ -69,7 +69,7 @@ def make_plan(database, scene):
 def make_planning(database, handover):
     def make(*answers):
         model = ScriptedModel(answers or (Answer(text=BODY),))
-        return Planning(database, handover, lambda name: model)
+        return Planning(database, handover, lambda *names: model)
 
     return make
 
@@ -80,7 +80,7 @@ def make_execution(database, handover, make_plan):
         plan_id = make_plan(**{"status": "planned", "program": PROGRAM} | values)
         with database.transaction() as session:
             plan = plans.get(session, plan_id)
-            return handover.approved(session, plan, seed=0, scene=plan.scene).id
+            return handover.approved(session, plan, execution_of(session, plan)).id
 
     return make
 

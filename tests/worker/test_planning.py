@@ -106,7 +106,7 @@ def test_a_useless_completion_is_kept_all_the_same(make_plan, make_planning, rea
 
 
 def test_a_model_that_cannot_be_had_ends_as_a_failed_plan(database, handover, make_plan, read_plan):
-    def unavailable(name):
+    def unavailable(*names):
         raise ModelUnavailable("fetch the weights with 'progprompt models fetch'")
 
     plan_id = make_plan()
@@ -125,7 +125,7 @@ def test_a_plan_cancelled_while_the_model_writes_stops_there(
             plans.get(session, plan_id).cancel_requested = True
         return Answer(text="    # on and on\n", endless=True, delay=0.002)
 
-    Planning(database, handover, lambda name: ScriptedModel(write))(plan_id)
+    Planning(database, handover, lambda *names: ScriptedModel(write))(plan_id)
     assert read_plan(plan_id).status == "cancelled"
     assert read_plan(plan_id).program is None
 
@@ -163,7 +163,7 @@ def test_planning_taken_up_after_a_death_tells_nothing_twice_and_loses_nothing(
     plan_id = make_plan()
     body = "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n"
     with pytest.raises(Killed):
-        Planning(database, handover, lambda name: DyingModel([Answer(text=body, delay=0.05)]))(
+        Planning(database, handover, lambda *names: DyingModel([Answer(text=body, delay=0.05)]))(
             plan_id
         )
     before = told(database, plan_id)
@@ -182,7 +182,7 @@ def test_a_model_that_writes_otherwise_the_second_time_begins_a_new_story(
     plan_id = make_plan()
     first = [Answer(text="    # something else altogether, and more of it\n", delay=0.05)]
     with pytest.raises(Killed):
-        Planning(database, handover, lambda name: DyingModel([*first, *first]))(plan_id)
+        Planning(database, handover, lambda *names: DyingModel([*first, *first]))(plan_id)
     before = told(database, plan_id)
     make_planning()(plan_id)
     after = told(database, plan_id)[len(before) :]
@@ -195,7 +195,7 @@ def test_a_plan_that_kills_its_worker_three_times_is_given_up(
 ):
     plan_id = make_plan()
 
-    def die(name):
+    def die(*names):
         raise Killed
 
     for _ in range(3):
@@ -211,7 +211,7 @@ def test_a_worker_that_stops_in_good_order_does_not_count_as_a_death(
 ):
     plan_id = make_plan()
 
-    def die(name):
+    def die(*names):
         raise Killed
 
     planning = Planning(database, handover, die)

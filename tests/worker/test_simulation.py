@@ -1,6 +1,7 @@
 import pytest
 
 from app.storage import events, executions, plans
+from app.storage.handover import execution_of
 from app.worlds import worlds
 from app.worlds.simulators.symbolic import SymbolicWorld
 
@@ -135,7 +136,7 @@ def test_a_plan_waits_for_the_last_of_its_executions(
     plan_id = read_execution(first).plan_id
     with database.transaction() as session:
         plan = plans.get(session, plan_id)
-        second = handover.approved(session, plan, seed=1, scene=plan.scene).id
+        second = handover.approved(session, plan, execution_of(session, plan)).id
     simulation(first)
     assert read_plan(plan_id).status == "executing"
     simulation(second)

@@ -11,6 +11,7 @@ from app.api.schemas.base import Page
 from app.api.schemas.executions import ExecutionShown, show_execution
 from app.api.schemas.trace import event_view
 from app.api.streams import Ending, event_stream
+from app.api.what_if import repeated
 from app.domain.errors import Conflict
 from app.storage import events, executions, frames, plans
 from app.storage.base import now
@@ -113,6 +114,19 @@ def read_recording(execution_id: str, parts: Using) -> Response:
     return Response(
         data, headers={"Content-Disposition": name}, media_type="application/octet-stream"
     )
+
+
+@router.post("/{execution_id}/rerun", status_code=202)
+def rerun_execution(execution_id: str, parts: Using, response: Response) -> ExecutionShown:
+    """Do the same once more, and tell in `identical` whether the same happened."""
+    with parts.database.transaction() as session:
+        row = executions.get(session, execution_id)
+        plan = plans.get(session, row.plan_id, lock=True)
+        if row.status in executions.UNFINISHED:
+            raise Conflict(f"the execution is {row.status}; it can be repeated once it has ended")
+        again = parts.handover.approved(session, plan, repeated(row))
+        response.headers["Location"] = f"/executions/{again.id}"
+        return show_execution(again, plan, [])
 
 
 @router.post("/{execution_id}/cancel", status_code=202)

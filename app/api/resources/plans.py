@@ -11,12 +11,13 @@ from app.api.schemas.base import Page
 from app.api.schemas.executions import ExecutionShown, show_execution
 from app.api.schemas.plans import ExecutionGiven, PlanGiven, PlanShown, show_plan
 from app.api.streams import Ending, event_stream
-from app.api.submission import complete_scene, submit
+from app.api.submission import submit
+from app.api.what_if import changed_execution
 from app.domain.errors import Conflict
 from app.storage import events, executions, plans
 from app.storage.base import now
-from app.storage.documents import read_scene, scene_document
 from app.storage.events import EventRow
+from app.storage.handover import execution_of
 from app.storage.plans import PlanRow, Status
 
 router = APIRouter(prefix="/plans", tags=["plans"])
@@ -82,15 +83,12 @@ def execute_plan(plan_id: str, parts: Using, request: ExecutionGiven | None = No
     """Carry the plan out once more, or for the first time where it was only planned."""
     with parts.database.reading() as session:
         row = plans.get(session, plan_id)
-    seed = row.seed if request is None or request.seed is None else request.seed
-    scene = row.scene
-    if seed != row.seed:
-        scene = scene_document(complete_scene(read_scene(row.given_scene), seed))
+        wanted = changed_execution(session, row, request or ExecutionGiven())
     with parts.database.transaction() as session:
         row = plans.get(session, plan_id, lock=True)
         _must_be_runnable(row)
         row.cancel_requested = row.cancel_requested and row.status == "executing"
-        execution = parts.handover.approved(session, row, seed=seed, scene=scene)
+        execution = parts.handover.approved(session, row, wanted)
         shown = show_execution(execution, row, [])
     return _json(shown, 202, {"Location": f"/executions/{execution.id}"})
 
@@ -102,7 +100,7 @@ def approve_plan(plan_id: str, parts: Using) -> Response:
         row = plans.get(session, plan_id, lock=True)
         if row.status != "awaiting_approval":
             raise Conflict(f"the plan is {row.status}; only one that awaits approval can get it")
-        parts.handover.approved(session, row, seed=row.seed, scene=row.scene)
+        parts.handover.approved(session, row, execution_of(session, row))
         return _json(_shown(session, row), 202)
 
 

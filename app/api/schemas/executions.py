@@ -9,8 +9,11 @@ from pydantic import Field
 from app.api.schemas.base import Shown
 from app.api.schemas.scenes import SceneShown
 from app.domain.trace import ActionFailed, ActionPerformed, ActionStarted, CallSkipped, Event
+from app.rollout import understand
+from app.storage.documents import plan_columns, read_scene
 from app.storage.executions import ExecutionRow, Status
 from app.storage.plans import PlanRow
+from app.worlds import worlds
 
 
 class StepOutcome(Shown):
@@ -44,7 +47,18 @@ class ExecutionShown(Shown):
     plan_id: str
     status: Status
     seed: int
-    scene: SceneShown = Field(description="As it stood at the start.")
+    scene: SceneShown = Field(description="As it was described, every gap filled in.")
+    program: str = Field(description="The whole function it runs.")
+    begins_after: str | None = Field(
+        description="The execution whose world it took over; null for the scene as described."
+    )
+    begins_at_line: int | None = Field(
+        description="It took over the state before this line, and runs from there."
+    )
+    rerun_of: str | None = Field(description="The execution it repeats.")
+    identical: bool | None = Field(
+        description="Whether its trace is that of `rerun_of`, bit for bit."
+    )
     steps: list[StepOutcome] = Field(
         description="Attempted calls in the order of their turns, recoveries included, then those to come."
     )
@@ -61,8 +75,20 @@ def show_execution(row: ExecutionRow, plan: PlanRow, events: Sequence[Event]) ->
     """The execution as clients see it."""
     names = ExecutionShown.model_fields.keys() - {"steps"}
     return ExecutionShown.model_validate(
-        {**{name: getattr(row, name) for name in names}, "steps": _outcomes(plan.steps, events)}
+        {
+            **{name: getattr(row, name) for name in names},
+            "steps": _outcomes(_steps(row, plan), events),
+        }
     )
+
+
+def _steps(row: ExecutionRow, plan: PlanRow) -> list[dict[str, Any]]:
+    """The calls of its own program, which need not be the plan's latest."""
+    steps = plan.steps
+    if row.program != plan.program:
+        scene = read_scene(row.scene)
+        steps = plan_columns(*understand(row.program, scene, worlds[scene.world]))["steps"]
+    return [step for step in steps if step["line"] >= (row.begins_at_line or 0)]
 
 
 def _outcomes(steps: Sequence[dict[str, Any]], events: Sequence[Event]) -> list[StepOutcome]:

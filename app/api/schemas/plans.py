@@ -15,18 +15,36 @@ MAX_PROGRAM = 100_000
 class PlannerGiven(Given):
     """The switches of the planner, its prompt and its decoding."""
 
-    name: Name = Field(default="progprompt", description="A planner of the catalogue.")
-    model: Name = Field(default="default", description="A model of the catalogue.")
+    name: Name | None = Field(
+        default=None,
+        description="A planner of the catalogue; null for the one that does best in the scene's "
+        "world or, where the service or the request names a model, `progprompt`.",
+    )
+    model: Name = Field(
+        default="default",
+        description="A model of the catalogue; `default` is the service's or, where that names "
+        "none, the one with which the planner does best.",
+    )
     comments: bool = Field(
         default=True, description="Comments for sub-tasks in the example programs."
     )
     feedback: bool | None = Field(
         default=None,
         description="Assertions with recoveries in the example programs; null for the world's "
-        "own default, which is false on the tabletop, as on the paper's robot.",
+        "own default: false on the tabletop, as on the paper's robot, true in the household.",
     )
     examples: int = Field(
         default=3, ge=0, le=7, description="Number of example programs in the prompt."
+    )
+    choice: Literal["fixed", "random", "similar"] = Field(
+        default="fixed",
+        description="Which examples: the first ones, drawn by the seed, or those nearest to the "
+        "instruction.",
+    )
+    objects: Literal["local", "global", "properties"] | None = Field(
+        default=None,
+        description="The objects as a list inside the function, before the examples, or with "
+        "their properties; null for the world's own form.",
     )
     constrained: bool = Field(
         default=True, description="Decode under a grammar of the scene's own actions and objects."
@@ -38,11 +56,18 @@ class PlannerGiven(Given):
         default=0,
         ge=0,
         le=5,
-        description="How often to plan anew after a failed execution. Recorded only: plans are "
-        "not made anew yet, and `replans` of the plan stays 0.",
+        description="How often what is left is planned anew after a step has failed, from where "
+        "everything then stands; the planner learns what was observed.",
     )
-    state_check: Literal["world"] = Field(
-        default="world", description="Who decides assertions: the world itself."
+    repair: bool = Field(
+        default=False,
+        description="Insert what an action's missing precondition calls for, found by rehearsing "
+        "the plan with the perfect executor.",
+    )
+    state_check: Literal["world", "model", "both"] = Field(
+        default="world",
+        description="Who decides assertions: the world itself, the model by the paper's "
+        "state-check prompt, or both side by side, where the model's word counts.",
     )
 
 
@@ -53,6 +78,11 @@ class PlanGiven(Given):
         default=None, description="The scene; or name one by `scene_id`."
     )
     scene_id: Name | None = Field(default=None, description="A stored scene, instead of `scene`.")
+    parent: Name | None = Field(
+        default=None,
+        description="A plan this one follows, instead of a scene: things stand as it left them, "
+        "and the instruction may refer to it (`now the other one`, `put it back`).",
+    )
     instruction: Text | None = Field(
         default=None,
         description="What the robot should do, in plain language. Only a `program` may lack it.",
@@ -77,8 +107,8 @@ class PlanGiven(Given):
 
     @model_validator(mode="after")
     def _one_scene(self) -> Self:
-        if (self.scene is None) == (self.scene_id is None):
-            raise ValueError("scene: give either a scene or a scene_id")
+        if [self.scene, self.scene_id, self.parent].count(None) != 2:
+            raise ValueError("scene: give either a scene, a scene_id or a parent")
         if self.instruction is None and self.program is None:
             raise ValueError("instruction: is missing; say what the robot should do")
         return self
@@ -99,6 +129,23 @@ class RejectedShown(Shown):
     line: int
     text: str
     reason: str
+
+
+class DeclinedShown(Shown):
+    """Why there is no plan, and what would help."""
+
+    kind: Literal["absent", "impossible", "ambiguous", "hazardous", "unsure"]
+    reason: str
+    question: str | None
+    choices: list[str] = Field(description="Instructions that would have been clear.")
+
+
+class TryShown(Shown):
+    """An earlier program of a plan that was made anew."""
+
+    program: str
+    execution: str = Field(description="The execution that ended it.")
+    outcome: str = Field(description="What was observed.")
 
 
 class PlanShown(Shown):
@@ -127,7 +174,15 @@ class PlanShown(Shown):
         description="Scores with a perfect executor; `sr` is the paper's Plan SR. Null without a goal."
     )
     executions: list[str] = Field(description="Ids, oldest first.")
-    replans: int
+    parent: str | None = Field(description="The plan it follows.")
+    confidence: float | None = Field(
+        description="How sure the planner is, from 0 to 1, where it can tell."
+    )
+    declined: DeclinedShown | None = Field(
+        description="Why the planner would not plan it; nothing was moved then."
+    )
+    replans: int = Field(description="How often it was planned anew.")
+    tries: list[TryShown] = Field(description="The programs before this one, oldest first.")
     error: str | None = Field(description="Why it failed.")
     created_at: datetime
     started_at: datetime | None
@@ -135,12 +190,34 @@ class PlanShown(Shown):
 
 
 class ExecutionGiven(Given):
-    """Another execution of a plan."""
+    """Another execution of a plan: as it was asked for, or with something changed."""
 
     seed: Seed | None = Field(
         default=None,
         description="Another seed samples the positions the scene left open anew; default the plan's.",
     )
+    program: Text | None = Field(
+        default=None,
+        max_length=MAX_PROGRAM,
+        description="What if the program were this one? Default the plan's.",
+    )
+    after: Name | None = Field(
+        default=None,
+        description="An execution of the same plan whose world is taken over, in the state before "
+        "`line` or, without it, at its end.",
+    )
+    line: int | None = Field(
+        default=None,
+        ge=1,
+        description="With `after`: the line of the program before which the state is taken over, "
+        "and from which the program runs.",
+    )
+
+    @model_validator(mode="after")
+    def _line_of_something(self) -> Self:
+        if self.line is not None and self.after is None:
+            raise ValueError("line: needs `after`, the execution whose state is taken over")
+        return self
 
 
 def show_plan(row: PlanRow, executions: list[str]) -> PlanShown:

@@ -3,7 +3,7 @@
 from datetime import datetime
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from app.api.schemas.base import Given, Shown, Text
 from app.domain.scene import Scene, SceneObject
@@ -40,12 +40,18 @@ class ObjectGiven(Given):
     yaw: Annotated[float, Field(ge=-1000, le=1000)] | None = Field(
         default=None, description="Rotation about the vertical [rad]."
     )
+    properties: dict[Name, Name] = Field(
+        default_factory=dict,
+        max_length=20,
+        description='Whatever else is known of it, for the planner: `{"material": "wood"}`.',
+    )
 
     def to_domain(self) -> SceneObject:
         """The object."""
-        values = self.model_dump(exclude={"position"})
+        values = self.model_dump(exclude={"position", "properties"})
         position = None if self.position is None else tuple((*self.position, 0.0)[:3])
-        return SceneObject(**values, position=position)  # pyright: ignore[reportArgumentType]
+        properties = tuple(self.properties.items())
+        return SceneObject(**values, position=position, properties=properties)  # pyright: ignore[reportArgumentType]
 
 
 class SceneGiven(Given):
@@ -86,6 +92,13 @@ class ObjectShown(Shown):
     container: bool
     position: tuple[float, float, float] | None
     yaw: float | None
+    properties: dict[str, str] = Field(default_factory=dict)
+
+    @field_validator("properties", mode="before")
+    @classmethod
+    def _as_object(cls, given: object) -> object:
+        """Stored as pairs, since a scene of the domain is a value."""
+        return dict(given) if isinstance(given, list | tuple) else given
 
 
 class SceneShown(Shown):
