@@ -49,15 +49,20 @@ class ServiceClient:
         content = answer.json()
         return answer.is_success, str(content.get("detail") or content.get("status", ""))
 
-    def events(self, path: str) -> Iterator[dict[str, Any]]:
-        """Server-Sent Events until the stream ends of itself; a broken one is taken up again."""
-        last, failures = "", 0
+    def events(self, path: str, after: int = -1) -> Iterator[dict[str, Any]]:
+        """Server-Sent Events until the stream ends of itself; a broken one is taken up again.
+
+        Those up to the sequence number ``after`` are left out.
+        """
+        last, failures = str(after) if after >= 0 else "", 0
         while failures < RECONNECT_ATTEMPTS:
             headers = {"Last-Event-ID": last} if last else {}
             stream = connect_sse(self._http, "GET", path, headers=headers, timeout=60)
             try:
                 with stream as source:
                     source.response.raise_for_status()
+                    if source.response.status_code == httpx.codes.NO_CONTENT:
+                        return
                     for event in source.iter_sse():
                         last, failures = event.id or last, 0
                         if event.data:

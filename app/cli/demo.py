@@ -16,7 +16,7 @@ from rich.console import Console
 
 from app.cli.client import ServiceClient
 from app.cli.models import fetch
-from app.cli.plan import carry_out
+from app.cli.plan import carry_out, well_ended
 
 SCENE = Path(__file__).parents[2] / "static" / "scenes" / "sort-fruits-and-bottles.json"
 READY_LIMIT = 180.0  # [s], generous: a cold disk reads 1.1 GB of weights in it
@@ -49,7 +49,7 @@ def command(
         _wait_until_ready(process, client, console)
         request = json.loads(SCENE.read_text(encoding="utf-8"))
         asked = {key: request[key] for key in ("scene", "instruction", "goal")}
-        succeeded = carry_out(client, {**asked, "planner": {"model": model}}, console)
+        succeeded = well_ended(carry_out(client, {**asked, "planner": {"model": model}}, console))
         if keep:
             console.print("[dim]the service goes on; Ctrl-C stops it[/dim]")
             _until_interrupted(process)

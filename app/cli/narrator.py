@@ -47,15 +47,22 @@ class Narrator:
             )
             self._console.print(code)
         if usage.get("seconds") is not None:
+            sure = plan.get("confidence")
             self._console.print(
                 f"[dim]planned by {escape(str(usage.get('model')))} in {usage['seconds']:.1f} s "
-                f"({usage.get('prompt_tokens')} + {usage.get('completion_tokens')} tokens)[/dim]"
+                f"({usage.get('prompt_tokens')} + {usage.get('completion_tokens')} tokens)"
+                f"{'' if sure is None else f', {sure:.0%} sure'}[/dim]"
             )
         for rejected in plan.get("rejected") or ():
             reason = escape(f"{rejected['text']}: {rejected['reason']}")
             self._console.print(f"[yellow]rejected[/yellow] line {rejected['line']}: {reason}")
         if plan.get("error"):
             self._console.print(f"[red]{escape(_reason(plan['error']))}[/red]")
+        declined = plan.get("declined") or {}
+        if declined.get("question"):
+            self._console.print(f"[bold]{escape(declined['question'])}[/bold]")
+        for choice in declined.get("choices", ()):
+            self._console.print(f"  {escape(choice)}", highlight=False)
 
     def execution_over(self, plan: dict[str, Any], execution: dict[str, Any]) -> None:
         """Scores and outcome."""

@@ -1,6 +1,8 @@
 """``progprompt plan``: one instruction, from the sentence to the scores, against a running service."""
 
 import json
+import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,38 +20,72 @@ DEFAULT_URL = "http://127.0.0.1:8000"
 @click.option(
     "--scene",
     type=click.Path(exists=True, dir_okay=False, path_type=Path),
-    required=True,
     help="JSON file of the scene, as in POST /plans.",
 )
+@click.option("--after", "parent", help="Instead of a scene: the plan this one follows.")
 @click.option("--goal", "goals", multiple=True, help="A goal condition; give it several times.")
 @click.option("--seed", default=0, show_default=True, help="Seed of free positions and sampling.")
+@click.option("--planner", help="A planner of the catalogue; default the one best in the world.")
 @click.option("--model", default="default", show_default=True)
+@click.option(
+    "--set",
+    "switches",
+    multiple=True,
+    metavar="NAME=VALUE",
+    help="Any other switch of the planner, like max_replans=2 or feedback=true.",
+)
 @click.option("--no-execute", is_flag=True, help="Plan only; move nothing.")
+@click.option("--talk", is_flag=True, help="Go on asking what comes next; an empty line ends it.")
 @click.option("--url", default=DEFAULT_URL, show_default=True, envvar="PROGPROMPT_URL")
 @click.option("--json", "as_json", is_flag=True, help="Print the final resources as JSON.")
 def command(  # noqa: PLR0913 - one parameter per option
     instruction: str,
-    scene: Path,
+    scene: Path | None,
+    parent: str | None,
     goals: tuple[str, ...],
     seed: int,
+    planner: str | None,
     model: str,
+    switches: tuple[str, ...],
     no_execute: bool,
+    talk: bool,
     url: str,
     as_json: bool,
 ) -> None:
     """Plan INSTRUCTION in a scene and carry it out, telling every step."""
-    request = {
-        **_read_scene(scene),
+    if (scene is None) == (parent is None):
+        raise click.UsageError("give either --scene or --after")
+    request: dict[str, Any] = {
+        **(_read_scene(scene) if scene else {"parent": parent}),
         "instruction": instruction,
         "seed": seed,
         "execute": not no_execute,
-        "planner": {"model": model},
+        "planner": {"model": model, **_switches(switches)},
     }
+    if planner:
+        request["planner"]["name"] = planner
     if goals:
         request["goal"] = list(goals)
     with ServiceClient(url) as client:
-        succeeded = carry_out(client, request, Console(stderr=as_json), as_json=as_json)
-    raise SystemExit(0 if succeeded else 1)
+        plan = carry_out(client, request, Console(stderr=as_json), as_json=as_json)
+        while talk and (wish := _next_wish(plan)):
+            request = {"parent": plan["id"], "instruction": wish, "planner": request["planner"]}
+            plan = carry_out(client, request, Console(stderr=as_json), as_json=as_json)
+    raise SystemExit(0 if well_ended(plan) else 1)
+
+
+def _switches(given: tuple[str, ...]) -> dict[str, Any]:
+    """``max_replans=2`` as JSON has it; what is no JSON is taken as a word."""
+    values: dict[str, Any] = {}
+    for switch in given:
+        name, equals, text = switch.partition("=")
+        if not equals:
+            raise click.UsageError(f"--set {switch}: should be NAME=VALUE")
+        try:
+            values[name] = json.loads(text)
+        except ValueError:
+            values[name] = text
+    return values
 
 
 def _read_scene(path: Path) -> dict[str, Any]:
@@ -65,26 +101,43 @@ def _read_scene(path: Path) -> dict[str, Any]:
     return {key: content[key] for key in ("scene", "goal") if key in content}
 
 
+def _next_wish(plan: Mapping[str, Any]) -> str:
+    if not sys.stdin.isatty():
+        return sys.stdin.readline().strip()
+    question = (plan.get("declined") or {}).get("question") or "And then?"
+    return str(click.prompt(question, default="", show_default=False)).strip()
+
+
+def well_ended(plan: Mapping[str, Any]) -> bool:
+    """Whether nothing went wrong with the plan."""
+    return plan["status"] in ("succeeded", "planned", "awaiting_approval")
+
+
 def carry_out(
     client: ServiceClient, request: dict[str, Any], console: Console, *, as_json: bool = False
-) -> bool:
-    """Post the request, narrate it to its end, and tell whether it succeeded."""
+) -> dict[str, Any]:
+    """Post the request, narrate it to its end, through every new try, and give the plan."""
     narrator = Narrator(console)
     plan = client.create_plan(request)
+    address = f"/plans/{plan['id']}"
     narrator.plan_accepted(plan)
-    for event in client.events(f"/plans/{plan['id']}/events"):
-        narrator.tell(event)
-    plan = client.get(f"/plans/{plan['id']}")
-    narrator.plan_ready(plan)
-    execution = None
-    if plan["executions"]:
+    execution, last = None, -1
+    while plan["status"] in ("queued", "planning", "executing"):
+        for event in client.events(f"{address}/events", after=last):
+            last = event.get("sequence", last)
+            narrator.tell(event)
+        plan = client.get(address)
+        narrator.plan_ready(plan)
+        if not plan["executions"]:
+            break
         location = f"/executions/{plan['executions'][-1]}"
         for event in client.events(f"{location}/events"):
             narrator.tell(event)
         execution = client.get(location)
-        plan = client.get(f"/plans/{plan['id']}")
+        plan = client.get(address)
+    if execution is not None:
         narrator.execution_over(plan, execution)
     narrator.where_to_watch(client.url, plan)
     if as_json:
         click.echo(json.dumps({"plan": plan, "execution": execution}))
-    return plan["status"] in ("succeeded", "planned", "awaiting_approval")
+    return plan

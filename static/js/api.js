@@ -41,12 +41,13 @@ async function reach(path, options) {
 
 /**
  * Follows Server-Sent Events: `told` gets each event once, `ended` the last message.
- * A broken connection is taken up where it broke. Returns a function that stops it.
+ * A broken connection is taken up where it broke; `after` leaves out what is known already.
+ * Returns a function that stops it.
  */
-export function follow(path, told, ended) {
+export function follow(path, told, ended, after = -1) {
   let source = null;
   let timer = null;
-  let last = -1;
+  let last = after;
   const open = () => {
     source = new EventSource(path);
     source.onmessage = (message) => {

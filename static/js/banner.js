@@ -10,9 +10,10 @@ const WORDS = {
   executing: "Carrying it out",
   succeeded: "Succeeded",
   failed: "Failed",
+  declined: "Not planned, nothing was moved",
   cancelled: "Cancelled",
 };
-export const TONES = { succeeded: "good", planned: "good", failed: "bad", cancelled: "warn", awaiting_approval: "warn" };
+export const TONES = { succeeded: "good", planned: "good", failed: "bad", cancelled: "warn", declined: "warn", awaiting_approval: "warn" };
 const UNDER_WAY = new Set(["queued", "planning", "executing"]);
 
 export class Banner {
@@ -31,7 +32,7 @@ export class Banner {
 
   show(plan, execution) {
     const state = this.state(plan, execution);
-    const key = JSON.stringify([plan.id, state, execution?.id, execution?.seed, plan.executions, plan.error, execution?.error]);
+    const key = JSON.stringify([plan.id, state, execution?.id, execution?.identical, plan.replans, plan.executions, plan.error, execution?.error]);
     if (key === this.shown) return;
     if (state !== this.last || this.shown === null) this.since = performance.now();
     this.shown = key;
@@ -53,7 +54,7 @@ export class Banner {
   }
 
   state(plan, execution) {
-    if (!execution) return plan.status;
+    if (!execution) return plan.declined ? "declined" : plan.status;
     // Of several executions the one that is shown counts.
     return execution.status;
   }
@@ -66,7 +67,11 @@ export class Banner {
   why(plan, execution) {
     const failure = execution?.failure;
     const told = failure ? `Line ${failure.line}, at “${failure.stage}”: ${failure.reason}` : (execution?.error ?? plan.error);
-    return told ? h("p", { class: "why" }, told) : null;
+    const also = [];
+    if (plan.replans) also.push(`Planned anew ${plan.replans === 1 ? "once" : `${plan.replans} times`}.`);
+    if (typeof execution?.identical === "boolean") also.push(execution.identical ? "The trace is the same, bit for bit." : "The trace differs from the run it repeats.");
+    if (!told && !also.length) return null;
+    return h("div", { class: "why" }, told && h("p", {}, told), ...also.map((text) => h("p", {}, text)));
   }
 
   buttons(plan, execution, state) {
@@ -82,6 +87,7 @@ export class Banner {
       this.executions(plan, execution),
       execution && over && link("Recording", `/executions/${execution.id}/recording`, `${execution.id}.viser`),
       execution && link("Trace", `/executions/${execution.id}/trace?limit=1000`, `${execution.id}.json`),
+      plan.parent && h("a", { class: "button small quiet", href: `#/plans/${plan.parent}` }, "The plan before"),
       link("Plan as JSON", `/plans/${plan.id}`, `${plan.id}.json`),
     );
   }

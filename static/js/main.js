@@ -6,12 +6,19 @@ import { RequestForm } from "./request.js";
 import { Watch } from "./watch.js";
 
 const earlier = new Earlier();
-const form = new RequestForm((plan) => {
+const form = new RequestForm((plan) => show(plan));
+const watch = new Watch({
+  reuse: (plan) => form.take(plan),
+  changed: (plan) => earlier.update(plan),
+  followed: (plan) => show(plan),
+  settings: () => form.settings.request(),
+});
+
+function show(plan) {
   earlier.update(plan);
   location.hash = `#/plans/${plan.id}`;
   if (matchMedia("(max-width: 899px)").matches) document.getElementById("result").scrollIntoView();
-});
-const watch = new Watch({ reuse: (plan) => form.take(plan), changed: (plan) => earlier.update(plan) });
+}
 
 function route() {
   const [, id] = /^#\/plans\/([^/]+)$/.exec(location.hash) ?? [];

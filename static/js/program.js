@@ -36,6 +36,11 @@ export class ProgramView {
     this.root.replaceChildren(h("p", { class: "hint" }, text));
   }
 
+  /** A program is about to be written, perhaps in place of one that failed. */
+  begin() {
+    if (this.lines.length) this.reset("What is left is being planned anew …");
+  }
+
   /** Some more of the program came from the model. */
   grow(piece) {
     if (this.lines.length) return;
@@ -62,13 +67,14 @@ export class ProgramView {
     for (const step of plan.steps) this.note(step.line, "pending", "");
   }
 
-  usage({ usage, planner, rejected, completion }) {
+  usage({ usage, planner, rejected, completion, confidence }) {
     if (!planner) return [h("p", { class: "hint usage" }, "Written by hand.")];
     if (!usage) return [];
     const told = [usage.model];
     if (usage.seconds) told.push(`${usage.seconds.toFixed(1)} s`);
     if (usage.prompt_tokens) told.push(`${usage.prompt_tokens} + ${usage.completion_tokens} tokens`);
     if (rejected.length) told.push(`${rejected.length} rejected`);
+    if (typeof confidence === "number") told.push(`${Math.round(100 * confidence)} % sure`);
     return completion ? [h("p", { class: "hint usage" }, `Written by ${told.join(" · ")}`)] : [];
   }
 

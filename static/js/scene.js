@@ -50,10 +50,15 @@ export class SceneEditor {
 
   /** Take up the scene of an earlier plan: what it names, without the places that were sampled. */
   take(scene) {
-    const objects = scene.objects.map(({ name, kind, category, colour, container }) => ({
-      name, ...(kind && { kind }), ...(category && { category }), ...(colour && { colour }), ...(container && { container }),
-    }));
-    this.scene = { world: scene.world, objects };
+    if (scene.environment) {
+      this.scene = { world: scene.world, environment: scene.environment };
+    } else {
+      const objects = scene.objects.map(({ name, kind, category, colour, container, properties }) => ({
+        name, ...(kind && { kind }), ...(category && { category }), ...(colour && { colour }), ...(container && { container }),
+        ...(Object.keys(properties ?? {}).length && { properties }),
+      }));
+      this.scene = { world: scene.world, objects, ...(scene.actions && { actions: scene.actions }) };
+    }
     this.keep(OWN);
     this.show(OWN);
   }
@@ -72,7 +77,11 @@ export class SceneEditor {
   show(name) {
     this.select.value = name;
     byId("scene-about").textContent = this.ready.get(name)?.about ?? "";
-    this.list.replaceChildren(...this.objects().map((object, index) => this.entry(object, index)));
+    const home = this.scene.environment;
+    byId("scene-legend").textContent = home ? "In the home" : "On the table";
+    byId("add-object").hidden = Boolean(home) || !this.json.hidden;
+    if (home) this.list.replaceChildren(h("li", { class: "hint whole" }, `Everything in the home “${home}”.`));
+    else this.list.replaceChildren(...this.objects().map((object, index) => this.entry(object, index)));
     this.json.value = JSON.stringify(this.scene, null, 1);
     this.json.removeAttribute("aria-invalid");
   }
@@ -141,7 +150,7 @@ export class SceneEditor {
     const shown = this.json.hidden;
     this.json.hidden = !shown;
     this.list.hidden = shown;
-    byId("add-object").hidden = shown;
+    byId("add-object").hidden = shown || Boolean(this.scene.environment);
     byId("toggle-json").setAttribute("aria-pressed", String(shown));
     byId("toggle-json").textContent = shown ? "as a list" : "as JSON";
     if (shown) this.json.focus();

@@ -5,11 +5,17 @@ import { byId, h } from "./dom.js";
 import { recall, remember } from "./memory.js";
 
 const SWITCHES = [
+  { name: "planner", label: "Planner", field: "planner.name", standard: "", options: [["", "the world's best"]] },
   { name: "model", label: "Model", field: "planner.model", standard: "default", options: [["default", "default"]] },
   { name: "comments", label: "Comments in the examples", field: "planner.comments", standard: true },
   { name: "feedback", label: "Assertions with recoveries", field: "planner.feedback", standard: "", options: [["", "as the world has it"], ["yes", "yes"], ["no", "no"]] },
+  { name: "objects", label: "Objects in the prompt", field: "planner.objects", standard: "", options: [["", "as the world has it"], ["local", "inside the function"], ["global", "before the examples"], ["properties", "with their properties"]] },
+  { name: "choice", label: "Which examples", field: "planner.choice", standard: "fixed", options: [["fixed", "the first ones"], ["random", "drawn by the seed"], ["similar", "nearest to the instruction"]] },
+  { name: "state_check", label: "Assertions are decided by", field: "planner.state_check", standard: "world", options: [["world", "the world"], ["model", "the model"], ["both", "both, side by side"]] },
   { name: "examples", label: "Example programs", field: "planner.examples", standard: 3, min: 0, max: 7, step: 1 },
+  { name: "max_replans", label: "Plan anew, at most", field: "planner.max_replans", standard: 0, min: 0, max: 5, step: 1 },
   { name: "constrained", label: "Only names of this scene (grammar)", field: "planner.constrained", standard: true },
+  { name: "repair", label: "Add steps that a precondition calls for", field: "planner.repair", standard: false },
   { name: "temperature", label: "Temperature", field: "planner.temperature", standard: 0, min: 0, max: 2, step: 0.1 },
   { name: "seed", label: "Seed", field: "seed", standard: 0, min: 0, max: 4294967295, step: 1 },
   { name: "execute", label: "Carry it out", field: "execute", standard: true },
@@ -22,6 +28,7 @@ export class Settings {
     byId("settings").replaceChildren(...SWITCHES.map((one) => this.entry(one)));
     this.count();
     this.offerModels();
+    this.offerPlanners();
   }
 
   entry(one) {
@@ -40,6 +47,15 @@ export class Settings {
       : h("input", { id, type: "number", min: one.min, max: one.max, step: one.step, oninput: change });
     control.value = this.values[one.name];
     return h("div", { class: "field", "data-field": one.field }, h("label", { for: id }, one.label), control);
+  }
+
+  async offerPlanners() {
+    const planners = (await get("/catalog/planners").catch(() => ({ items: [] }))).items;
+    const select = byId("setting-planner");
+    select.append(...planners.map((planner) => h("option", { value: planner.name, title: planner.meaning ?? "" }, planner.name)));
+    if (![...select.options].some((option) => option.value === this.values.planner)) this.values.planner = "";
+    select.value = this.values.planner;
+    this.count();
   }
 
   async offerModels() {

@@ -3,17 +3,24 @@
 import { follow, get, post } from "./api.js";
 import { Banner } from "./banner.js";
 import { EventList } from "./events.js";
+import { FollowUp } from "./followup.js";
 import { ProgramView } from "./program.js";
 import { RolloutView } from "./rollout.js";
 import { ScoreBoard } from "./scores.js";
+import { WhatIf } from "./whatif.js";
 
 const LIT_BY = new Set(["comment_reached", "action_started", "assertion_checked", "call_skipped", "recovery_taken"]);
 const OVER = new Set(["planned", "succeeded", "failed", "cancelled"]);
 
 export class Watch {
-  /** `reuse(plan)` puts a plan's task back into the form; `changed(plan)` is told every new state. */
-  constructor({ reuse, changed }) {
+  /**
+   * `reuse(plan)` puts a plan's task back into the form; `changed(plan)` is told every new state;
+   * `followed(plan)` of a plan that follows this one, asked for with the form's `settings()`.
+   */
+  constructor({ reuse, changed, followed, settings }) {
     this.changed = changed;
+    this.followUp = new FollowUp({ accepted: followed, settings });
+    this.whatIf = new WhatIf((execution) => this.open(this.plan.id, execution.id));
     const seek = (time) => this.rollout.seek(time);
     this.program = new ProgramView(seek);
     this.events = new EventList(seek);
@@ -35,7 +42,10 @@ export class Watch {
     this.id = null;
     this.plan = null;
     this.execution = null;
+    this.known = -1;
     this.banner.hide();
+    this.followUp.hide();
+    this.whatIf.hide();
     this.program.reset();
     this.clearRun();
     this.rollout.reset();
@@ -60,7 +70,11 @@ export class Watch {
     if (OVER.has(plan.status) && !plan.executions.length) this.rollout.reset("This plan was not carried out.");
     else this.rollout.reset("The rollout begins when the program is there.");
     if (plan.program) this.program.show(plan);
-    this.stop = follow(`/plans/${id}/events`, (event) => this.planned(event), () => this.planningOver(id));
+    this.followPlanning(id);
+  }
+
+  followPlanning(id) {
+    this.stop = follow(`/plans/${id}/events`, (event) => this.planned(event), () => this.planningOver(id), this.known);
   }
 
   async refresh(id = this.id) {
@@ -69,6 +83,8 @@ export class Watch {
       if (this.id !== id) return null;
       this.plan = plan;
       this.banner.show(plan, this.execution);
+      if (OVER.has(plan.status)) this.followUp.show(plan);
+      else this.followUp.hide();
       this.changed(plan);
       return plan;
     } catch (error) {
@@ -78,10 +94,14 @@ export class Watch {
   }
 
   planned(event) {
+    this.known = event.sequence;
     this.events.add(event);
-    if (event.kind === "planning_started" && this.plan.status === "queued") {
-      this.plan.status = "planning";
-      this.banner.show(this.plan, null);
+    if (event.kind === "planning_started") {
+      this.program.begin();
+      if (this.plan.status === "queued") {
+        this.plan.status = "planning";
+        this.banner.show(this.plan, null);
+      }
     }
     if (event.kind === "completion_grew") this.program.grow(event.text);
   }
@@ -108,13 +128,26 @@ export class Watch {
   async executionOver(id, execution) {
     await this.refreshExecution(id, execution);
     await this.refresh(id);
-    if (this.id === id) this.scores.show(this.plan, this.execution);
+    if (this.id !== id) return;
+    this.scores.show(this.plan, this.execution);
+    if (!OVER.has(this.plan.status) && this.plan.tries.at(-1)?.execution === execution) this.planAnew(id);
+    else if (this.execution) this.whatIf.show(this.plan, this.execution);
+  }
+
+  /** What is left is planned anew: the next program, and the run that goes on from here. */
+  planAnew(id) {
+    this.execution = null;
+    this.wanted = null;
+    this.clearRun();
+    this.banner.show(this.plan, null);
+    this.followPlanning(id);
   }
 
   async refreshExecution(id, execution) {
     const shown = await get(`/executions/${execution}`).catch(() => null);
     if (this.id !== id || !shown) return;
     this.execution = shown;
+    if (shown.program !== this.plan.program) this.program.show({ ...this.plan, program: shown.program, steps: shown.steps, rejected: [] });
     this.banner.show(this.plan, shown);
   }
 

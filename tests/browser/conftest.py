@@ -21,6 +21,7 @@ SCRIPT = [
     {"when": "put the banana in the bowl", "text": PROGRAM, "delay": 0.05},
     {"when": "put the banana in the vase", "text": "    grab_and_putin('banana', 'vase')\n"},
     {"when": "go on forever", "text": "    # on and on\n", "endless": True, "delay": 0.05},
+    {"when": "and rest now", "text": "    pass\n"},
     {"when": "say nothing", "error": "the model said nothing"},
 ]
 

@@ -234,10 +234,31 @@ def test_program_written_by_hand_is_checked_then_run(open_page):
     page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
     page.get_by_text("Program by hand").click()
     program = "def task():\n    grab_and_putin('banana', 'vase')\n"
-    page.get_by_role("textbox", name="Program").fill(program)
+    page.locator("#program").fill(program)
     page.get_by_role("button", name="Run", exact=True).click()
     expect(page.locator("#program-field .fault")).to_contain_text("there is no object 'vase'")
-    page.get_by_role("textbox", name="Program").fill(program.replace("vase", "bowl"))
+    page.locator("#program").fill(program.replace("vase", "bowl"))
     page.get_by_role("button", name="Run", exact=True).click()
     expect(page.locator(".lines li")).to_have_count(2)
     expect(page.locator("#banner")).to_contain_text("Program by hand")
+
+
+def test_dialogue_goes_on_from_where_a_plan_ended(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(status(page)).to_have_text("Succeeded")
+    page.get_by_label("And then?").fill("and rest now")
+    page.reload()
+    expect(page.get_by_label("And then?")).to_have_value("and rest now")  # nothing typed is lost
+    page.get_by_role("button", name="Go on").click()
+    expect(page.locator("#banner .sentence")).to_have_text("and rest now")
+    expect(status(page)).to_have_text("Succeeded")
+    page.get_by_role("link", name="The plan before").click()
+    expect(page.locator("#banner .sentence")).to_have_text(SENTENCE)
+
+
+def test_a_run_can_be_repeated_and_compared(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(status(page)).to_have_text("Succeeded")
+    page.locator("#whatif summary").click()
+    page.get_by_role("button", name="Repeat unchanged and compare").click()
+    expect(page.locator("#banner .why")).to_contain_text("bit for bit")
