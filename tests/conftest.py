@@ -52,7 +52,7 @@ class PerfectTabletop:
         self.feedback = False
         self.planner = "progprompt"
 
-    def open(self, scene, seed):
+    def open(self, scene, seed, perception=None):
         return self.open_perfect(scene, seed)
 
     def open_perfect(self, scene, seed, state=None):

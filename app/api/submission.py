@@ -99,6 +99,7 @@ def _checked(parts: Parts, request: PlanGiven) -> tuple[PlanRow, Program | None]
         instruction=_sentence(request, understood),
         scene_id=request.scene_id,
         parent=request.parent,
+        options={"perception": request.perception.model_dump()},
         given_scene=scene_document(given),
         scene=scene_document(scene),
         seed=request.seed,

@@ -11,7 +11,10 @@ class Parameter:
     """One parameter of an action primitive, named as the import line shows it."""
 
     name: str
-    role: Literal["object", "container", "number"] = "object"
+    role: Literal["object", "container", "support", "number", "word"] = "object"
+    """A ``container`` holds things where the scene has any that do; a ``support`` is any object."""
+    words: tuple[str, ...] = ()
+    """What a ``word`` may be: ``("left", "right")``."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

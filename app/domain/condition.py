@@ -48,7 +48,40 @@ class Count:
         return f"count({self.container}; {' | '.join(self.objects)}) = {self.number}"
 
 
-Condition = Relation | Not | AnyOf | Count
+@dataclass(frozen=True, slots=True)
+class Property:
+    """True where an object is so described: ``category('banana') == 'fruit'``.
+
+    It never changes, so a program's properties are decided when it is grounded. The property
+    ``name`` is what the object is called.
+    """
+
+    name: str
+    subject: str
+    value: str | float | bool
+
+    def __str__(self) -> str:
+        return f"{self.name}({self.subject}) = {self.value}"
+
+
+Condition = Relation | Not | AnyOf | Count | Property
+
+
+def all_of(*conditions: Condition) -> Condition:
+    """True where all of them are: ``not any_of(not …, not …)``."""
+    if len(conditions) == 1:
+        return conditions[0]
+    return Not(AnyOf(tuple(Not(condition) for condition in conditions)))
+
+
+def conjuncts(condition: Condition) -> tuple[Condition, ...]:
+    """What ``all_of`` was made from; the condition alone where it is no such thing."""
+    match condition:
+        case Not(AnyOf(conditions)) if len(conditions) > 1:
+            inner = [each.condition for each in conditions if isinstance(each, Not)]
+            return tuple(inner) if len(inner) == len(conditions) else (condition,)
+        case _:
+            return (condition,)
 
 
 def decide(condition: Condition, holds: Callable[[Relation], bool]) -> bool:
@@ -63,6 +96,8 @@ def decide(condition: Condition, holds: Callable[[Relation], bool]) -> bool:
         case Count(container, objects, number):
             inside = sum(holds(Relation("in", (item, container))) for item in objects)
             return inside == number
+        case Property(name, subject, value):
+            return holds(Relation(name, (subject, str(value))))
         case _:
             assert_never(condition)
 
@@ -78,5 +113,7 @@ def relations(condition: Condition) -> tuple[Relation, ...]:
             return tuple(found for inner in conditions for found in relations(inner))
         case Count(container, objects, _):
             return tuple(Relation("in", (item, container)) for item in objects)
+        case Property(name, subject, value):
+            return (Relation(name, (subject, str(value))),)
         case _:
             assert_never(condition)

@@ -1,6 +1,6 @@
 """LanguageModel: text in, text out."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
@@ -19,6 +19,8 @@ class CompletionRequest:
     seed: int = 0
     grammar: str | None = None
     """A GBNF grammar the completion must follow; backends that cannot are told by its absence."""
+    logprob: bool = False
+    """Whether the completion is to tell its mean log-probability, where the backend can."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,6 +35,8 @@ class Completion:
     completion_tokens: int
     seconds: float
     """Wall time of the whole request [s]."""
+    logprob: float | None = None
+    """Mean log-probability of the tokens written [nat], where it was asked for and is told."""
 
 
 class LanguageModel(Protocol):
@@ -47,6 +51,19 @@ class LanguageModel(Protocol):
 
         Raises:
             ModelUnavailable: it cannot be asked.
+            CompletionFailed: it was asked and what came back is unusable.
+        """
+        ...
+
+    def score(self, prompt: str, candidates: Sequence[str]) -> tuple[float, ...]:
+        """How likely each candidate is as the continuation of the prompt: log-probabilities [nat].
+
+        They are there to be compared with one another; where no other candidate goes on
+        differently, a backend may take what follows as certain. Of two candidates one of which
+        begins with the other the shorter is never less likely, so end them alike.
+
+        Raises:
+            ModelUnavailable: it cannot be asked, or its service does not tell probabilities.
             CompletionFailed: it was asked and what came back is unusable.
         """
         ...

@@ -38,18 +38,35 @@ class GroundedAssertion:
     recovery: tuple[Call, ...] = ()
 
 
-Step = GroundedCall | RejectedCall | GroundedAssertion | Comment
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GroundedBranch:
+    """A condition that decides whether the steps after it run or are passed over."""
+
+    line: int
+    condition: Condition
+    skip: int
+    """So many of the following steps are passed over where the condition is false."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Jump:
+    """The end of a branch's first side: its other side, so many steps, is passed over."""
+
+    skip: int
+
+
+Step = GroundedCall | RejectedCall | GroundedAssertion | GroundedBranch | Jump | Comment
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The steps in source order."""
+    """The steps in source order, loops and helpers unrolled."""
 
     steps: tuple[Step, ...] = ()
 
     @property
     def calls(self) -> tuple[GroundedCall, ...]:
-        """The grounded calls outside recoveries, in source order."""
+        """The grounded calls outside recoveries, in source order; of branches, both sides."""
         return tuple(step for step in self.steps if isinstance(step, GroundedCall))
 
     @property

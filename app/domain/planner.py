@@ -1,7 +1,7 @@
 """Planner: from scene and instruction to a program."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal, Protocol, runtime_checkable
 
 from app.domain.action import ActionSignature
@@ -10,6 +10,7 @@ from app.domain.instruction import Instruction
 from app.domain.llm import Completion, LanguageModel
 from app.domain.scene import Scene
 from app.domain.trace import PlanningEvent
+from app.domain.world import World
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +64,8 @@ class Task:
     """The dialogue so far, oldest first: what "it", "the other one" and "undo" refer to."""
     failed: Turn | None = None
     """The try that this plan replaces: its steps up to the failure are done already."""
+    rehearsal: Callable[[], World] | None = field(default=None, compare=False, repr=False)
+    """Opens a perfect executor that stands where the plan begins."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -42,6 +42,8 @@ class Scene:
     """Names of the world's action primitives on offer; None for all of them."""
     environment: str | None = None
     """One of the world's ready-made environments, where it has any."""
+    graph: str | None = None
+    """An environment of the client's own as JSON, where the world takes one: nodes and edges."""
     names: tuple[str, ...] = field(init=False, default=())
     """The objects' names, in order."""
 

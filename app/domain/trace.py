@@ -33,6 +33,19 @@ class CompletionGrew:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CompletionContinued:
+    """The model ran into its limit of tokens; it is asked to go on with what it wrote so far.
+
+    Of the completion told so far the first ``kept`` characters stand; the rest is told anew.
+    """
+
+    kept: int
+    tokens: int
+    """Written so far."""
+    kind: Literal["completion_continued"] = "completion_continued"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ProgramGrounded:
     """The completion was parsed and grounded in the scene."""
 
@@ -130,8 +143,30 @@ class AssertionChecked:
     condition: Condition
     holds: bool
     decider: str
+    """Who decided: ``world``, ``model``, or ``both``, where the world's word counts."""
+    by_world: bool | None = None
+    """What the world says, where it was asked; here and below."""
+    by_model: bool | None = None
+    """What the language model says, where it was asked."""
+    agree: bool | None = None
+    """Whether the two say the same, where both were asked."""
     time: float
     kind: Literal["assertion_checked"] = "assertion_checked"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BranchDecided:
+    """The plan came to an ``if``, and goes on with the side that is told."""
+
+    line: int
+    condition: Condition
+    holds: bool
+    decider: str
+    by_world: bool | None = None
+    by_model: bool | None = None
+    agree: bool | None = None
+    time: float
+    kind: Literal["branch_decided"] = "branch_decided"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -163,7 +198,14 @@ class ExecutionFinished:
     kind: Literal["execution_finished"] = "execution_finished"
 
 
-PlanningEvent = PlanningStarted | PromptWritten | CompletionGrew | ProgramGrounded | PlanningFailed
+PlanningEvent = (
+    PlanningStarted
+    | PromptWritten
+    | CompletionGrew
+    | CompletionContinued
+    | ProgramGrounded
+    | PlanningFailed
+)
 ExecutionEvent = (
     ExecutionStarted
     | CommentReached
@@ -173,6 +215,7 @@ ExecutionEvent = (
     | ActionFailed
     | CallSkipped
     | AssertionChecked
+    | BranchDecided
     | RecoveryTaken
     | GoalChecked
     | ExecutionFinished

@@ -6,6 +6,7 @@ from typing import Protocol
 
 from app.domain.action import ActionSignature
 from app.domain.condition import Relation
+from app.domain.perception import Perception
 from app.domain.program import Argument
 from app.domain.scene import Scene
 from app.domain.trace import Frame
@@ -75,6 +76,10 @@ class World(Protocol):
         """Take up a state that ``save`` gave for the same scene and seed."""
         ...
 
+    def begin(self) -> None:
+        """Call it time 0, with no frames waiting: what follows is a rollout of its own."""
+        ...
+
 
 class WorldDescription(Protocol):
     """A kind of world, as the catalogue lists it."""
@@ -104,7 +109,7 @@ class WorldDescription(Protocol):
         """
         ...
 
-    def open(self, scene: Scene, seed: int) -> World:
+    def open(self, scene: Scene, seed: int, perception: Perception = ...) -> World:
         """A world with this scene (completed or not) in it, at rest, time 0."""
         ...
 

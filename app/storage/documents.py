@@ -1,13 +1,27 @@
 """Documents: scenes, plans and programs of the domain as JSON, and back."""
 
-from typing import Any
+from typing import Any, assert_never
 
 from pydantic import TypeAdapter
 
 from app.domain.plan import Plan
-from app.domain.program import ActionCall, Assertion, Comment, Program, Statement
+from app.domain.program import (
+    ActionCall,
+    Argument,
+    Assertion,
+    Branch,
+    Comment,
+    Helper,
+    Loop,
+    Pass,
+    Program,
+    Statement,
+    Variable,
+    literal,
+)
 from app.domain.scene import Scene
 from app.programs.conditions import print_condition
+from app.programs.printer import loop_head
 
 _scenes: TypeAdapter[Scene] = TypeAdapter(Scene)
 
@@ -25,7 +39,10 @@ def read_scene(document: dict[str, Any]) -> Scene:
 def plan_columns(program: Program, plan: Plan) -> dict[str, Any]:
     """What is kept of a program and its plan, by the names of the columns of a plan."""
     return {
-        "program_tree": [_statement(statement) for statement in program.body],
+        "program_tree": [
+            *map(_helper, program.helpers),
+            *map(_statement, program.body),
+        ],
         "steps": [
             {
                 "line": call.line,
@@ -54,14 +71,45 @@ def _statement(statement: Statement) -> dict[str, Any]:
                 "condition": print_condition(condition),
                 "recovery": [_call(call) for call in recovery],
             }
+        case Branch(condition=condition, body=body, otherwise=otherwise, line=line):
+            return {
+                "kind": "branch",
+                "line": line,
+                "condition": print_condition(condition),
+                "body": [_statement(each) for each in body],
+                "otherwise": [_statement(each) for each in otherwise],
+            }
+        case Loop(body=body, line=line):
+            return {
+                "kind": "loop",
+                "line": line,
+                "text": loop_head(statement),
+                "body": [_statement(each) for each in body],
+            }
+        case Pass(line=line):
+            return {"kind": "pass", "line": line}
         case _:
-            return {"kind": "pass", "line": statement.line}
+            assert_never(statement)
+
+
+def _helper(helper: Helper) -> dict[str, Any]:
+    return {
+        "kind": "helper",
+        "line": helper.line,
+        "name": helper.name,
+        "parameters": list(helper.parameters),
+        "body": [_statement(each) for each in helper.body],
+    }
 
 
 def _call(call: ActionCall) -> dict[str, Any]:
-    return {
-        "kind": "call",
-        "line": call.line,
-        "action": call.action,
-        "arguments": list(call.arguments),
-    }
+    shown: dict[str, Any] = {"kind": "call", "line": call.line, "action": call.action}
+    shown["arguments"] = list(map(_argument, call.arguments))
+    if call.keywords:
+        shown["keywords"] = {name: _argument(value) for name, value in call.keywords}
+    return shown
+
+
+def _argument(value: Argument) -> Argument:
+    """A variable, as it is written; a name or a number as it is."""
+    return literal(value) if isinstance(value, Variable) else value

@@ -79,6 +79,6 @@ def execution_of(session: Session, plan: PlanRow) -> ExecutionRow:
         seed=plan.seed,
         scene=plan.scene,
         program=plan.program or "",
-        options={"state_check": plan.planner.get("state_check", "world")},
+        options={**plan.options, "state_check": plan.planner.get("state_check", "world")},
         begins_after=dialogue.beginning(session, plan),
     )

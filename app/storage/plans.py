@@ -64,6 +64,8 @@ class PlanRow(Base):
     plan_scores: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))
     error: Mapped[str | None] = mapped_column(Text)
 
+    options: Mapped[dict[str, Any]] = mapped_column(JSON, default=dict)
+    """How its world is opened: what the robot perceives."""
     parent: Mapped[str | None] = mapped_column(String(32))
     """The plan it follows in a dialogue."""
     confidence: Mapped[float | None] = mapped_column(Double)

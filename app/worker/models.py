@@ -1,15 +1,20 @@
 """Models: the language models a planning worker holds open."""
 
+from collections.abc import Callable
+
 from app.domain.llm import LanguageModel
 from app.llm.backend import Closable, Warmable
 from app.llm.models import LlmConfig, find_model, open_model
+
+OpenNamed = Callable[[str, LlmConfig], LanguageModel]
 
 
 class Models:
     """Opens a model at its first use and keeps it, since loading takes seconds; so many at most."""
 
-    def __init__(self, config: LlmConfig, default: str) -> None:
+    def __init__(self, config: LlmConfig, default: str, open_named: OpenNamed = open_model) -> None:
         self._config = config
+        self._open_named = open_named
         self._default = default
         self._open: dict[str, LanguageModel] = {}  # the one last used last
 
@@ -27,7 +32,7 @@ class Models:
         model = self._open.pop(chosen, None)
         if model is None:
             self._make_room()
-            model = open_model(chosen, self._config)
+            model = self._open_named(chosen, self._config)
         self._open[chosen] = model
         return model
 

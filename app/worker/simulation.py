@@ -5,6 +5,7 @@ from typing import Any
 
 from app.domain.errors import Cancelled, ProgPromptError
 from app.domain.goal import Goal
+from app.domain.perception import Perception
 from app.domain.trace import Trace
 from app.domain.world import World
 from app.programs.conditions import parse_condition
@@ -81,13 +82,14 @@ class Simulation:
     def _standing(self, row: ExecutionRow) -> World:
         """Its world, as it finds it."""
         scene = read_scene(row.scene)
-        world = worlds[scene.world].open(scene, row.seed)
+        perception = Perception(**row.options.get("perception", {}))
+        world = worlds[scene.world].open(scene, row.seed, perception)
         with self._database.reading() as session:
             state = state_of(session, row)
         if state is not None:
             world.restore(state)
             if row.next_step == 0:
-                world.frames()  # What the execution before it has told already.
+                world.begin()
         return world
 
     def _end(self, execution_id: str, ended: Outcome) -> None:

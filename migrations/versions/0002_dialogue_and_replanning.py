@@ -11,6 +11,7 @@ depends_on = None
 
 def upgrade():
     with op.batch_alter_table("plans", schema=None) as batch_op:
+        batch_op.add_column(sa.Column("options", sa.JSON(), nullable=False, server_default="{}"))
         batch_op.add_column(sa.Column("parent", sa.String(length=32), nullable=True))
         batch_op.add_column(sa.Column("confidence", sa.Double(), nullable=True))
         batch_op.add_column(sa.Column("declined", sa.JSON(), nullable=True))
@@ -58,5 +59,5 @@ def downgrade():
             batch_op.drop_column(name)
 
     with op.batch_alter_table("plans", schema=None) as batch_op:
-        for name in ("tries", "declined", "confidence", "parent"):
+        for name in ("tries", "declined", "confidence", "parent", "options"):
             batch_op.drop_column(name)

@@ -25,6 +25,9 @@ def list_worlds() -> Page:
         {
             "name": name,
             "actions": [action.name for action in world.actions],
+            "default_actions": list(world.default_actions),
+            "planner": world.planner,
+            "moves": world.moves,
             "relations": world.relations,
         }
         for name, world in worlds.items()
@@ -55,7 +58,10 @@ def list_actions(world: World = "tabletop") -> Page:
 
 @router.get("/models")
 def list_models(parts: Using) -> Page:
-    """The language models a plan can name; `default` says which one that stands for."""
+    """The language models a plan can name; `default` marks the one that most plans will use."""
+    default = parts.default_model
+    if default == "default":
+        default = planners[worlds["tabletop"].planner].model
     return _page(
         {
             "name": spec.name,
@@ -63,7 +69,7 @@ def list_models(parts: Using) -> Page:
             "backend": spec.backend,
             "licence": spec.licence,
             "aliases": list(spec.aliases),
-            "default": parts.default_model in (spec.name, *spec.aliases),
+            "default": default in (spec.name, *spec.aliases),
         }
         for spec in catalogue(parts.llm)
     )
@@ -72,7 +78,10 @@ def list_models(parts: Using) -> Page:
 @router.get("/planners")
 def list_planners() -> Page:
     """The planners a plan can name."""
-    return _page({"name": name, "meaning": _first_line(planners[name])} for name in planners)
+    return _page(
+        {"name": name, "meaning": _first_line(planner), "model": planner.model}
+        for name, planner in sorted(planners.items())
+    )
 
 
 def _world(name: str) -> WorldDescription:

@@ -55,6 +55,9 @@ class ExecutionShown(Shown):
     begins_at_line: int | None = Field(
         description="It took over the state before this line, and runs from there."
     )
+    options: dict[str, Any] = Field(
+        description="What the robot perceived, and who decided assertions."
+    )
     rerun_of: str | None = Field(description="The execution it repeats.")
     identical: bool | None = Field(
         description="Whether its trace is that of `rerun_of`, bit for bit."

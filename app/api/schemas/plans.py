@@ -71,6 +71,21 @@ class PlannerGiven(Given):
     )
 
 
+class PerceptionGiven(Given):
+    """What the robot perceives; whether a plan succeeded is never told by it."""
+
+    source: Literal["cameras", "privileged"] = Field(
+        default="cameras",
+        description="Depth cameras alone, or the simulator's own geometry and poses.",
+    )
+    noise: float = Field(
+        default=0.002, ge=0, le=0.05, description="Standard deviation of a camera's depth [m]."
+    )
+    confusion: float = Field(
+        default=0.0, ge=0, le=1, description="The share of objects taken for another one."
+    )
+
+
 class PlanGiven(Given):
     """An instruction in a scene; or, instead of a planner, a program written by hand."""
 
@@ -101,6 +116,9 @@ class PlanGiven(Given):
         "never sees them.",
     )
     planner: PlannerGiven = Field(default=PlannerGiven(), description="How to plan.")
+    perception: PerceptionGiven = Field(
+        default_factory=PerceptionGiven, description="What the robot is told of the objects."
+    )
     approval: Literal["auto", "manual"] = Field(
         default="auto", description="`manual`: the plan waits for `POST /plans/{id}/approve`."
     )

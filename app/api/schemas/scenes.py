@@ -1,9 +1,10 @@
 """Scenes as clients write them."""
 
+import json
 from datetime import datetime
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import Field, field_validator
+from pydantic import BaseModel, Field, field_validator
 
 from app.api.schemas.base import Given, Shown, Text
 from app.domain.scene import Scene, SceneObject
@@ -54,6 +55,49 @@ class ObjectGiven(Given):
         return SceneObject(**values, position=position, properties=properties)  # pyright: ignore[reportArgumentType]
 
 
+MAX_NODES, MAX_EDGES = 2000, 20_000
+Identifier = Annotated[int, Field(ge=0, le=2**31)]
+
+
+class BoxGiven(BaseModel):
+    """A bounding box along the axes, y up, as VirtualHome has it [m]."""
+
+    center: tuple[Metres, Metres, Metres]
+    size: tuple[Size, Size, Size]
+
+
+class NodeGiven(BaseModel):
+    """A thing in a home; whatever else VirtualHome tells of it is passed over."""
+
+    id: Identifier
+    class_name: Name = Field(description="What programs and goals call all of its class.")
+    category: Annotated[Text, Field(max_length=100)] = Field(
+        default="", description="`Rooms` for a room, `Food` for what can be heated."
+    )
+    properties: list[Name] = Field(
+        default_factory=list, max_length=40, description="`GRABBABLE`, `CAN_OPEN`, `HAS_SWITCH` …"
+    )
+    states: list[Name] = Field(
+        default_factory=list, max_length=20, description="`OPEN` or `CLOSED`, `ON` or `OFF` …"
+    )
+    bounding_box: BoxGiven | None = None
+
+
+class EdgeGiven(BaseModel):
+    """How one thing stands to another."""
+
+    from_id: Identifier
+    relation_type: Name = Field(description="`INSIDE`, `ON`, `CLOSE`, `FACING`, `HOLDS_RH` …")
+    to_id: Identifier
+
+
+class GraphGiven(BaseModel):
+    """A home of one's own in VirtualHome's own JSON."""
+
+    nodes: list[NodeGiven] = Field(max_length=MAX_NODES)
+    edges: list[EdgeGiven] = Field(max_length=MAX_EDGES)
+
+
 class SceneGiven(Given):
     """What stands there, and what the robot can do with it."""
 
@@ -70,6 +114,9 @@ class SceneGiven(Given):
     environment: Name | None = Field(
         default=None, description="One of the world's ready-made environments, where it has any."
     )
+    graph: GraphGiven | None = Field(
+        default=None, description="A household of one's own, in place of a ready-made environment."
+    )
 
     def to_domain(self) -> Scene:
         """The scene."""
@@ -78,6 +125,7 @@ class SceneGiven(Given):
             objects=tuple(item.to_domain() for item in self.objects),
             actions=None if self.actions is None else tuple(self.actions),
             environment=self.environment,
+            graph=None if self.graph is None else self.graph.model_dump_json(exclude_none=True),
         )
 
 
@@ -108,6 +156,13 @@ class SceneShown(Shown):
     objects: list[ObjectShown]
     actions: list[str] | None
     environment: str | None
+    graph: dict[str, Any] | None = None
+
+    @field_validator("graph", mode="before")
+    @classmethod
+    def _as_graph(cls, given: object) -> object:
+        """Stored as text, since a scene of the domain is a value."""
+        return json.loads(given) if isinstance(given, str) else given
 
 
 class SceneStored(SceneShown):

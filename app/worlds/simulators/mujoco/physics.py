@@ -53,8 +53,13 @@ class Physics:
         self._steps = 0
         self._sampled = 0
         self._frames: list[Frame] = []
+        self.woken = 0
+        """How often ``wake`` was called: a number for the action that is under way."""
         self.data.qpos[ARM] = HOME
         self.data.qpos[FINGERS] = LARGEST_OPENING
+        for body in built.bodies.values():
+            if body.joint is not None:
+                self.data.qpos[self.model.jnt_qposadr[body.joint]] = body.start
         self.data.ctrl[ARM] = HOME
         self.data.ctrl[GRIPPER] = _FULL_CONTROL
 
@@ -62,6 +67,11 @@ class Physics:
     def time(self) -> float:
         """Simulated time since the rollout began [s]."""
         return self._steps * self.model.opt.timestep
+
+    @property
+    def steps(self) -> int:
+        """Time steps since the rollout began."""
+        return self._steps
 
     @property
     def joints(self) -> Array:
@@ -84,6 +94,7 @@ class Physics:
         To be called at the start of every action, so that it goes on alike before and after
         ``restore``. Which bodies sleep is not part of MuJoCo's integration state.
         """
+        self.woken += 1
         state = self._state()
         mujoco.mj_resetData(self.model, self.data)
         mujoco.mj_setState(self.model, self.data, state, _EVERYTHING)
@@ -105,6 +116,10 @@ class Physics:
     def begin(self) -> None:
         """Let everything settle, then call it time 0."""
         self.settle()
+        self.rewind()
+
+    def rewind(self) -> None:
+        """Call it time 0, whatever went before."""
         self.data.time = 0.0
         self._steps = self._sampled = 0
         self._frames = []
