@@ -4,7 +4,7 @@ Nothing is stored here; whoever calls is told of every event as it happens.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from app.domain.action import ActionSignature
 from app.domain.errors import UnknownName
@@ -51,8 +51,7 @@ def plan_task(
         ProgramRefused: what was written is outside the plan language.
         Cancelled: ``report`` asked for it.
     """
-    del rehearsal  # Unused.
-    draft = planner.write_program(task, model, report)
+    draft = planner.write_program(replace(task, rehearsal=rehearsal), model, report)
     program, plan = understand(draft.program, task.scene, worlds[task.scene.world])
     return Planned(draft=draft, text=draft.program, program=program, plan=plan)
 

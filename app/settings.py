@@ -38,6 +38,17 @@ class Settings:
     endpoint_key: str | None = None
     endpoint_model: str | None = None
     """The model's name at that endpoint."""
+    endpoint_chat: bool = False
+    """It only takes chats."""
+    endpoint_grammar: bool = False
+    """It takes a grammar beside the prompt, as the llama.cpp server does."""
+    anthropic_key: str | None = None
+    anthropic_model: str | None = None
+    """The model that plans get as ``anthropic``."""
+    anthropic_url: str = "https://api.anthropic.com/v1"
+    """Base URL, where it is not Anthropic's own."""
+    most_models: int = 2
+    """Local models kept open at the same time; the one longest unused is closed for another."""
     scripted: Path | None = None
     """File of canned completions for the model ``scripted``."""
     planning_workers: int = 1
@@ -84,4 +95,8 @@ def _convert(variable: str, text: str, hint: object) -> object:
             return int(text)
         except ValueError:
             raise ValueError(f"{variable} is {text!r}; a whole number is wanted") from None
+    if hint is bool:
+        if text.lower() not in ("true", "false"):
+            raise ValueError(f"{variable} is {text!r}; true or false is wanted")
+        return text.lower() == "true"
     return Path(text) if hint == Path | None else text

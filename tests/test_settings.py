@@ -2,6 +2,7 @@ from pathlib import Path
 
 import pytest
 
+from app.main.models import llm_config
 from app.settings import Settings
 
 
@@ -29,3 +30,27 @@ def test_a_port_that_is_no_number_is_refused_by_the_name_of_its_variable():
 def test_the_database_lies_in_the_data_directory_unless_a_url_is_given():
     assert Settings(data_dir=Path("/data")).database == "sqlite:////data/progprompt.sqlite"
     assert Settings(database_url="postgresql://x/y").database == "postgresql://x/y"
+
+
+def test_a_switch_is_true_or_false():
+    assert Settings.from_environment({"PROGPROMPT_ENDPOINT_CHAT": "True"}).endpoint_chat
+    with pytest.raises(ValueError, match="PROGPROMPT_ENDPOINT_CHAT is 'yes'; true or false"):
+        Settings.from_environment({"PROGPROMPT_ENDPOINT_CHAT": "yes"})
+
+
+def test_services_of_the_settings_are_models():
+    settings = Settings(
+        endpoint_url="http://llm.test/v1",
+        endpoint_chat=True,
+        anthropic_model="big",
+        anthropic_key="secret",
+    )
+    (_, ours), (name, theirs) = llm_config(settings).endpoints
+    assert (ours.protocol, ours.chat) == ("openai", True)
+    assert (name, theirs.protocol, theirs.model, theirs.key) == (
+        "anthropic",
+        "anthropic",
+        "big",
+        "secret",
+    )
+    assert "secret" not in repr(theirs)

@@ -3,12 +3,19 @@
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Protocol, runtime_checkable
+from typing import Literal, Protocol, runtime_checkable
 
 from app.domain.llm import LanguageModel
+from app.llm.adapters import Adapter
 from app.llm.weights import WeightFile
 
 HUB = "https://huggingface.co"
+TO_CHAT = (
+    "You continue texts, most of them Python programs. Answer with nothing but what follows where"
+    " the text breaks off: of a function only the rest of its body, of a list only its next items."
+    " No fence, no explanation, nothing of what is already there."
+)
+"""What a model that only chats is told first; the prompt is then its one message."""
 PROCESS_ENVIRONMENT = {"GOMP_SPINCOUNT": "0"}
 """For the process that plans: threads that spin while they wait make a busy machine ten times
 slower. It counts only if it is set before the thread library is loaded."""
@@ -16,7 +23,10 @@ slower. It counts only if it is set before the thread library is loaded."""
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Endpoint:
-    """An OpenAI-compatible service: hosted, or a server of one's own."""
+    """A service: hosted, or a server of one's own."""
+
+    protocol: Literal["openai", "anthropic"] = "openai"
+    """Name of the backend that speaks it."""
 
     base_url: str
     """Up to and including the version: ``http://127.0.0.1:8080/v1``."""
@@ -40,6 +50,8 @@ class ModelSpec:
     licence: str = ""
     aliases: tuple[str, ...] = ()
     weights: WeightFile | None = None
+    adapter: Adapter | None = None
+    """In force over the weights from the start."""
     endpoint: Endpoint | None = None
 
 
@@ -59,6 +71,8 @@ class LlmConfig:
     """Tokens of prompt and completion together."""
     endpoints: tuple[tuple[str, Endpoint], ...] = ()
     """Services by the name under which plans ask for them."""
+    most_models: int = 2
+    """Local models that one process keeps open; the 1.5 B one takes 1.9 GB, the 0.5 B one 0.8."""
     scripted_file: Path | None = None
     """Canned completions for the model ``scripted``."""
 
@@ -91,4 +105,13 @@ class Warmable(Protocol):
 
     def warm(self, prefix: str) -> bool:
         """Read ``prefix`` now, or take up its saved state; whether it was saved."""
+        ...
+
+
+@runtime_checkable
+class Closable(Protocol):
+    """A model that takes memory of this process."""
+
+    def close(self) -> None:
+        """Give the memory back; the model completes nothing afterwards."""
         ...

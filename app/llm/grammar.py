@@ -2,12 +2,13 @@
 
 What it binds: the actions on offer with the number and kinds of their arguments, the scene's own
 object names as Python literals, a container where a container is wanted (as far as the scene has
-any), never an object into itself, and at most ``MAX_STEPS`` steps, so that no text is endless.
+any), one of the words where a word is wanted, never an object onto itself, and at most
+``MAX_STEPS`` steps, so that no text is endless.
 """
 
 from collections.abc import Iterable, Sequence
 
-from app.domain.action import ActionSignature
+from app.domain.action import ActionSignature, Parameter
 from app.domain.program import literal
 from app.domain.scene import Scene
 
@@ -15,16 +16,35 @@ INDENT = "    "
 MAX_STEPS = 40
 MAX_COMMENT = 100
 """Characters."""
+MAX_PAIRED = 60
+"""Objects up to which a grammar keeps an object from being put onto itself; its size is their square."""
 NUMBER = r'number ::= "-"? [0-9]{1,4} ("." [0-9]{1,4})?'
+PLACES = ("in", "on")
+"""Relations that are asserted of two objects unless told otherwise."""
+STATES = {
+    "held": "in 'hands'",
+    "open": "is 'opened'",
+    "closed": "is 'closed'",
+    "switched_on": "is 'switchon'",
+    "switched_off": "is 'switchoff'",
+}
+"""Relations of one object, as the paper asserts them; ``near`` is told before the name."""
 
 
 def program_grammar(
-    scene: Scene, actions: Iterable[ActionSignature], *, comments: bool, feedback: bool
+    scene: Scene,
+    actions: Iterable[ActionSignature],
+    *,
+    comments: bool,
+    feedback: bool,
+    relations: Iterable[str] = PLACES,
+    begun: bool = False,
 ) -> str:
     """The grammar of everything after the cue: indented lines, then an empty one.
 
     With ``comments`` a comment may stand before each call and at the end; with ``feedback``
-    assertions with recoveries, as the paper writes them, may stand between the calls.
+    assertions of these ``relations`` with recoveries, as the paper writes them, may stand between
+    the calls. A body that was ``begun`` may have nothing left to say.
     """
     words = _Words(scene)
     calls = [rule for action in actions if (rule := words.call(action))]
@@ -32,13 +52,15 @@ def program_grammar(
     declined = f'declined ::= {remark}{_quote(INDENT)} "pass\\n"'
     rules: list[str] = []
     if calls:
-        kinds = ['call "\\n"', *(words.assertions() if feedback else ())]
+        asserted = words.assertions(relations) if feedback else ()
+        kinds = ['call "\\n"', *asserted]
         rules += [
             f"step ::= {remark}{_quote(INDENT)} ({' | '.join(kinds)})",
             f"call ::= {' | '.join(calls)}",
             f'recovery ::= {_quote(f"{INDENT * 2}else: ")} call "\\n"',
         ]
-    steps = f"step{{1,{MAX_STEPS}}} {remark}| " if calls else ""
+    fewest = 0 if begun else 1
+    steps = f"step{{{fewest},{MAX_STEPS}}} {remark}| " if calls else ""
     if comments:
         rules.append(
             f'comment ::= {_quote(f"{INDENT}# ")} [^\\x00-\\x1f\\x7f]{{1,{MAX_COMMENT}}} "\\n"'
@@ -54,47 +76,93 @@ class _Words:
         holders = tuple(item.name for item in scene.objects if item.container)
         self.holders = holders or scene.names
         self.rules: list[str] = []
+        self._known: dict[str, str] = {}
 
     def call(self, action: ActionSignature) -> str | None:
         """The name of a rule for calls of this action, or None where none can be made."""
-        rule = f"call-{len(self.rules)}"
-        roles = [parameter.role for parameter in action.parameters]
-        body = self._pairs(roles, _quote(", ")) if _is_pair(roles) else self._separate(roles)
-        if body is None:
+        named = [each for each in action.parameters if each.role not in ("number", "word")]
+        first = len(named)
+        in_front = list(action.parameters[:first]) == named
+        rest = action.parameters[first:] if in_front else ()
+        objects = self._objects(named if in_front else action.parameters)
+        if objects is None or not all(map(_can_be, action.parameters)):
             return None
+        body = f" {_quote(', ')} ".join(filter(None, (objects, self._values(rest)))) or '""'
+        rule = f"call-{len(self.rules)}"
         self.rules.append(f"{rule} ::= {_quote(f'{action.name}(')} {body} {_quote(')')}")
         return rule
 
-    def assertions(self) -> tuple[str, ...]:
-        """The name of a rule for assertions of where a thing is, in the paper's form, if any can be.
+    def assertions(self, relations: Iterable[str]) -> tuple[str, ...]:
+        """The name of a rule for assertions in the paper's form, if any can be made.
 
         One to three recoveries stand below each.
         """
-        pair = self._pairs(("object", "container"), f"({_quote(' in ')} | {_quote(' on ')})")
-        if pair is None:
+        asserted = sorted(set(relations))
+        places = [name for name in asserted if name in PLACES]
+        forms: list[str] = []
+        for name in places:
+            second = Parameter(name="", role="container" if name == "in" else "support")
+            pair = self._pairs(Parameter(name=""), second, _quote(f" {name} "))
+            forms += [pair] if pair else []
+        if self.names:
+            name = self._name(self.names)
+            states = [_quote(f" {STATES[each]}") for each in asserted if each in STATES]
+            forms += [f"{name} ({' | '.join(states)})"] if states else []
+            forms += [f"{_quote(_NEAR)} {name}"] if "near" in asserted else []
+        if not forms:
             return ()
-        self.rules.append(f'assertion ::= "assert(" {pair} ")\\n" recovery{{1,3}}')
+        self.rules.append(f'assertion ::= "assert(" ({" | ".join(forms)}) ")\\n" recovery{{1,3}}')
         return ("assertion",)
 
-    def _separate(self, roles: Sequence[str]) -> str | None:
+    def _objects(self, parameters: Sequence[Parameter]) -> str | None:
+        """What stands for these parameters; empty for none of them."""
+        roles = [parameter.role for parameter in parameters]
+        if len(roles) == 2 and not {"number", "word"} & set(roles):
+            return self._pairs(parameters[0], parameters[1], _quote(", "))
         parts: list[str] = []
-        for role in roles:
-            choices = self.holders if role == "container" else self.names
-            if role != "number" and not choices:
+        for parameter in parameters:
+            part = self._value(parameter)
+            if part is None:
                 return None
-            parts.append(self._number() if role == "number" else self._name(choices))
-        return f" {_quote(', ')} ".join(parts) if parts else '""'
+            parts.append(part)
+        return f" {_quote(', ')} ".join(parts)
 
-    def _pairs(self, roles: Sequence[str], between: str) -> str | None:
+    def _values(self, parameters: Sequence[Parameter]) -> str:
+        """Numbers and words at the end of a call: all in order, or all by name."""
+        if not parameters:
+            return ""
+        comma = f" {_quote(', ')} "
+        values = [self._value(parameter) or "" for parameter in parameters]
+        pairs = zip(parameters, values, strict=True)
+        named = [f"{_quote(f'{parameter.name}=')} {value}" for parameter, value in pairs]
+        return f"({comma.join(values)} | {comma.join(named)})"
+
+    def _value(self, parameter: Parameter) -> str | None:
+        match parameter.role:
+            case "number":
+                if NUMBER not in self.rules:
+                    self.rules.append(NUMBER)
+                return "number"
+            case "word":
+                return self._name(parameter.words)
+            case "object" | "support" | "container":
+                choices = self._choices(parameter)
+                return self._name(choices) if choices else None
+
+    def _choices(self, parameter: Parameter) -> tuple[str, ...]:
+        return self.holders if parameter.role == "container" else self.names
+
+    def _pairs(self, one: Parameter, other: Parameter, between: str) -> str | None:
         """Two different objects: the first decides which are left for the second."""
-        second = self.holders if roles[1] == "container" else self.names
-        first = self.holders if roles[0] == "container" else self.names
+        first, second = self._choices(one), self._choices(other)
+        if len(self.names) > MAX_PAIRED:
+            return f"{self._name(first)} {between} {self._name(second)}" if second else None
         choices: list[str] = []
         free = [name for name in first if name not in second]
         if free and second:
             choices.append(f"{self._name(free)} {between} {self._name(second)}")
         for name in first:
-            rest = [other for other in second if other != name]
+            rest = [each for each in second if each != name]
             if name in second and rest:
                 choices.append(f"{_quote(literal(name))} {between} {self._name(rest)}")
         return f"({' | '.join(choices)})" if choices else None
@@ -102,21 +170,18 @@ class _Words:
     def _name(self, names: Sequence[str]) -> str:
         """A rule for one of these names; the same names, the same rule."""
         choices = " | ".join(_quote(literal(name)) for name in names)
-        for rule in self.rules:
-            known, _, body = rule.partition(" ::= ")
-            if body == choices:
-                return known
-        self.rules.append(f"name-{len(self.rules)} ::= {choices}")
-        return f"name-{len(self.rules) - 1}"
-
-    def _number(self) -> str:
-        if NUMBER not in self.rules:
-            self.rules.append(NUMBER)
-        return "number"
+        if choices not in self._known:
+            self._known[choices] = f"name-{len(self.rules)}"
+            self.rules.append(f"{self._known[choices]} ::= {choices}")
+        return self._known[choices]
 
 
-def _is_pair(roles: Sequence[str]) -> bool:
-    return len(roles) == 2 and "number" not in roles
+_NEAR = "'close' to "
+
+
+def _can_be(parameter: Parameter) -> bool:
+    """Whether there is anything it may be, apart from the scene."""
+    return parameter.role != "word" or bool(parameter.words)
 
 
 def _quote(text: str) -> str:

@@ -1,7 +1,12 @@
 """The catalogue of language models by name, and how one of them is opened."""
 
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import chain
+
 from app.domain.errors import UnknownName
 from app.domain.llm import LanguageModel
+from app.llm.adapters import SHIPPED, adapters_in
 from app.llm.backend import Endpoint, LlmConfig, ModelSpec
 from app.llm.backends import backends
 from app.llm.weights import WeightFile, WeightPackages
@@ -56,18 +61,34 @@ SCRIPTED = ModelSpec(
 
 
 def catalogue(config: LlmConfig) -> tuple[ModelSpec, ...]:
-    """Every model a plan can ask for: the built-in ones, then the settings' endpoints."""
+    """Every model a plan can ask for: built-in, adapted, and the settings' endpoints."""
     services = (
         ModelSpec(
             name=name,
-            backend="openai",
+            backend=endpoint.protocol,
             title=f"{endpoint.model} at {endpoint.base_url}",
             licence="as its provider says",
             endpoint=endpoint,
         )
         for name, endpoint in config.endpoints
     )
-    return (DEFAULT, SMALL, SCRIPTED, *services)
+    return (DEFAULT, SMALL, *_adapted(config), SCRIPTED, *services)
+
+
+def _adapted(config: LlmConfig) -> Iterator[ModelSpec]:
+    """Each shipped adapter, and each in the cache's ``adapters``, over its built-in model."""
+    bases = {spec.weights.sha256: spec for spec in (DEFAULT, SMALL) if spec.weights}
+    found = chain(adapters_in(SHIPPED), adapters_in(config.cache / "adapters"))
+    for adapter in {each.name: each for each in found}.values():
+        base = bases.get(adapter.base_sha256, DEFAULT)  # opening it refuses a wrong base
+        yield replace(
+            base,
+            name=adapter.name,
+            title=f"{base.title}, with the adapter {adapter.path.name}",
+            licence=adapter.licence or base.licence,
+            aliases=(),
+            adapter=adapter,
+        )
 
 
 def find_model(name: str, config: LlmConfig) -> ModelSpec:
@@ -76,7 +97,8 @@ def find_model(name: str, config: LlmConfig) -> ModelSpec:
     Raises:
         UnknownName: there is none; the message lists what there is.
     """
-    by_name = {called: spec for spec in catalogue(config) for called in (spec.name, *spec.aliases)}
+    known = reversed(catalogue(config))  # the built-in ones keep their names
+    by_name = {called: spec for spec in known for called in (spec.name, *spec.aliases)}
     if name not in by_name:
         raise UnknownName("model", name, by_name)
     return by_name[name]

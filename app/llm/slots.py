@@ -3,6 +3,7 @@
 import hashlib
 import logging
 import os
+from collections.abc import Sequence
 from pathlib import Path
 
 import httpx
@@ -12,6 +13,9 @@ from app.llm.transport import Patience, Transport
 
 MOST_KEPT = 16
 """State files; the ones longest unused go first. After 800 tokens one has 23 MB."""
+
+BETWEEN = -1
+"""Stands between the tokens of two texts; no token has this number."""
 
 log = logging.getLogger(__name__)
 
@@ -77,6 +81,22 @@ class Slots:
             part.replace(path)
             self._known.add(prefix)
             self._drop_oldest()
+
+    def tokens(self, texts: Sequence[str]) -> list[tuple[int, ...]]:
+        """Each text in the model's tokens.
+
+        Raises:
+            ModelError: the server gives none.
+        """
+        mixed = [part for text in texts for part in (text, BETWEEN)]
+        answer = self._server.post("tokenize", {"content": mixed, "parse_special": False})
+        found: list[list[int]] = [[]]
+        for token in answer["tokens"]:
+            if token == BETWEEN:
+                found.append([])
+            else:
+                found[-1].append(token)
+        return [tuple(each) for each in found[:-1]]
 
     def _do(self, action: str, filename: str) -> bool:
         try:

@@ -1,10 +1,13 @@
 """The one gate to HTTP: time limits, retries, and foreign errors turned into ours."""
 
 import json
+import random
+import re
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from email.utils import parsedate_to_datetime
 from typing import Any
 
 import httpx
@@ -13,8 +16,15 @@ from app.domain.errors import CompletionFailed, ModelUnavailable
 
 RETRIED = frozenset({408, 409, 425, 429, 500, 502, 503, 504, 529})
 """Answers after which the same request may well succeed."""
+REMEDIES = {
+    429: "the rate limit or the quota is used up: wait, or have it raised",
+    503: "the service is overloaded: try again later, or another model",
+    529: "the service is overloaded: try again later, or another model",
+}
 LONGEST_WAIT = 30.0
 """Between two attempts, whatever the other side asks for [s]."""
+
+_TOO_LONG = re.compile(r"context (length|window|size)|too long|too many (input )?tokens", re.I)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,6 +38,8 @@ class Patience:
     attempts: int = 4
     first_wait: float = 0.5
     """Before the second attempt; doubled before each further one [s]."""
+    jitter: float = 0.5
+    """By what share of it a wait is lengthened at most, at random: clients do not come all at once."""
 
 
 class Transport:
@@ -37,7 +49,7 @@ class Transport:
         self,
         base_url: str,
         *,
-        key: str | None = None,
+        headers: Mapping[str, str] | None = None,
         patience: Patience | None = None,
         transport: httpx.BaseTransport | None = None,
         sleep: Callable[[float], None] = time.sleep,
@@ -46,7 +58,7 @@ class Transport:
 
         Args:
             base_url: What the paths below are relative to.
-            key: Sent as bearer token.
+            headers: Sent with every request: the key, in the form that the service wants.
             patience: Time limits and retries.
             transport: What carries the requests, where it is not the network.
             sleep: Waits between attempts [s].
@@ -54,7 +66,6 @@ class Transport:
         self._patience = patience or Patience()
         self._sleep = sleep
         self._place = base_url
-        headers = {"Authorization": f"Bearer {key}"} if key else {}
         limits = httpx.Timeout(self._patience.read, connect=self._patience.connect)
         with self._gate():
             self._client = httpx.Client(
@@ -118,7 +129,8 @@ class Transport:
                     return self._checked(response)
                 asked = _retry_after(response)
                 response.close()
-            self._sleep(min(max(wait, asked), LONGEST_WAIT))
+            wait_now = max(wait * (1 + self._patience.jitter * random.random()), asked)
+            self._sleep(min(wait_now, LONGEST_WAIT))
             wait *= 2
         raise AssertionError("at least one attempt is made")
 
@@ -132,7 +144,11 @@ class Transport:
         if status == 404:
             raise ModelUnavailable(f"no such model or address (404): {response.url}. {said}")
         if status in RETRIED:
-            raise ModelUnavailable(f"still {status} after several attempts. {said}")
+            todo = REMEDIES.get(status, "try again later")
+            raise ModelUnavailable(f"still {status} after several attempts; {todo}. {said}")
+        if status == 413 or _TOO_LONG.search(said):
+            todo = "use fewer objects or examples, or a model that takes more"
+            raise CompletionFailed(f"the prompt is too long ({status}); {todo}. {said}")
         raise CompletionFailed(f"the request was refused ({status}). {said}")
 
     @contextmanager
@@ -145,6 +161,8 @@ class Transport:
         except httpx.TimeoutException as error:
             limit = self._patience.read
             raise ModelUnavailable(f"{self._place} sent nothing for {limit:g} s") from error
+        except (httpx.ReadError, httpx.RemoteProtocolError) as error:
+            raise ModelUnavailable(f"{self._place} broke off: {error}; ask again") from error
         except (httpx.HTTPError, httpx.InvalidURL, httpx.StreamError) as error:
             raise ModelUnavailable(f"{self._place} could not be reached: {error}") from error
 
@@ -164,6 +182,18 @@ def json_object(text: str) -> dict[str, Any]:
     return value
 
 
+def sent_events(response: httpx.Response) -> Iterator[dict[str, Any]]:
+    """The objects in a stream of server-sent events; one ``{}`` where it says ``[DONE]``.
+
+    Raises:
+        CompletionFailed: one is not a JSON object.
+    """
+    for line in response.iter_lines():
+        data = line.removeprefix("data:").strip()
+        if line.startswith("data:") and data:
+            yield {} if data == "[DONE]" else json_object(data)
+
+
 def _message(response: httpx.Response) -> str:
     """What the other side says, from the shapes in use: ``{"error": {"message": …}}`` or text."""
     try:
@@ -175,8 +205,13 @@ def _message(response: httpx.Response) -> str:
 
 
 def _retry_after(response: httpx.Response) -> float:
-    """The pause it asks for, where it says it in seconds [s]."""
+    """The pause it asks for, in seconds or as the date when it ends [s]."""
+    said = response.headers.get("Retry-After", "0")
     try:
-        return max(0.0, float(response.headers.get("Retry-After", 0)))
+        return max(0.0, float(said))
+    except ValueError:
+        pass
+    try:
+        return max(0.0, parsedate_to_datetime(said).timestamp() - time.time())
     except ValueError:
         return 0.0

@@ -6,18 +6,29 @@ from app.settings import Settings
 
 def llm_config(settings: Settings) -> LlmConfig:
     """The configuration of the models."""
-    endpoints: tuple[tuple[str, Endpoint], ...] = ()
+    endpoints: list[tuple[str, Endpoint]] = []
     if settings.endpoint_url:
         endpoint = Endpoint(
             base_url=settings.endpoint_url,
             model=settings.endpoint_model or "default",
             key=settings.endpoint_key,
+            chat=settings.endpoint_chat,
+            grammar=settings.endpoint_grammar,
         )
-        endpoints = (("endpoint", endpoint),)
+        endpoints.append(("endpoint", endpoint))
+    if settings.anthropic_model:
+        endpoint = Endpoint(
+            protocol="anthropic",
+            base_url=settings.anthropic_url,
+            model=settings.anthropic_model,
+            key=settings.anthropic_key,
+        )
+        endpoints.append(("anthropic", endpoint))
     return LlmConfig(
         cache_dir=settings.cache,
         model_path=settings.model_path,
         threads=settings.threads,
-        endpoints=endpoints,
+        most_models=settings.most_models,
+        endpoints=tuple(endpoints),
         scripted_file=settings.scripted,
     )

@@ -5,6 +5,7 @@ from http.server import BaseHTTPRequestHandler
 
 import pytest
 
+from app.domain.errors import ModelUnavailable
 from app.domain.llm import CompletionRequest
 from app.llm.backend import Endpoint
 from app.llm.backends import backends
@@ -48,11 +49,50 @@ def open_openai(request, tmp_path):
     return open_model("words", LlmConfig(endpoints=(("words", endpoint),)))
 
 
+class Messages(BaseHTTPRequestHandler):
+    """As much of Anthropic's protocol as a client sees."""
+
+    def do_POST(self):
+        asked = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+        words = WORDS[: asked["max_tokens"]]
+        reason = "max_tokens" if len(words) < len(WORDS) else "end_turn"
+        usage = {"input_tokens": 3, "output_tokens": len(words)}
+        blocks = [{"type": "text", "text": word} for word in words]
+        answer = {"content": blocks, "stop_reason": reason, "usage": usage}
+        if asked.get("stream"):
+            events = [
+                *({"type": "content_block_delta", "delta": block} for block in blocks),
+                {"type": "message_delta", "delta": {"stop_reason": reason}, "usage": usage},
+                {"type": "message_stop"},
+            ]
+            body = "".join(f"data: {json.dumps(event)}\n\n" for event in events)
+        else:
+            body = json.dumps(answer)
+        self.send_response(200)
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body.encode())
+
+    def log_message(self, format, *args):
+        pass
+
+
+def open_anthropic(request, tmp_path):
+    url = request.getfixturevalue("serve")(Messages)
+    endpoint = Endpoint(protocol="anthropic", base_url=f"{url}/v1", model="words", key="k")
+    return open_model("words", LlmConfig(endpoints=(("words", endpoint),)))
+
+
 def open_local(request, tmp_path):
     return request.getfixturevalue("small_model")
 
 
-OPENINGS = {"scripted": open_scripted, "openai": open_openai, "local": open_local}
+OPENINGS = {
+    "scripted": open_scripted,
+    "openai": open_openai,
+    "anthropic": open_anthropic,
+    "local": open_local,
+}
 MARKS = {"local": [pytest.mark.model, pytest.mark.timeout(1800)]}
 
 
@@ -93,3 +133,12 @@ def test_it_stops_when_asked_to(model):
     completion = model.complete(asked, stop)
     assert completion.finish == "cancelled"
     assert completion.text == "".join(pieces)
+
+
+def test_it_scores_the_likelier_candidate_higher_or_says_why_not(model):
+    if model.name == "words":  # these services tell no probabilities
+        with pytest.raises(ModelUnavailable, match="local model"):
+            model.score("one, two, three,", [" four", " nine hundred"])
+    else:
+        likely, odd = model.score("one, two, three,", [" four", " nine hundred"])
+        assert likely > odd

@@ -21,6 +21,20 @@ GRAB = ActionSignature(
     parameters=(Parameter(name="obj1"), Parameter(name="obj2", role="container")),
     meaning="Takes up one object and puts it down in another.",
 )
+STACK = ActionSignature(
+    name="stack",
+    parameters=(Parameter(name="obj1"), Parameter(name="obj2", role="support")),
+    meaning="Puts one object into or onto another.",
+)
+SLIDE = ActionSignature(
+    name="slide",
+    parameters=(
+        Parameter(name="obj"),
+        Parameter(name="side", role="word", words=("left", "right", "it's \n odd")),
+        Parameter(name="x", role="number"),
+    ),
+    meaning="Slides an object to a side by so much [m].",
+)
 TURN = ActionSignature(
     name="turn",
     parameters=(Parameter(name="obj"), Parameter(name="angle", role="number")),
@@ -85,14 +99,14 @@ def allows(grammar, *lines):
 @pytest.mark.parametrize("feedback", [True, False])
 def test_everything_it_allows_parses_and_grounds(comments, feedback):
     there = scene(*ODD, containers=ODD[1:5])
-    actions = (GRAB, TURN, WAIT)
+    actions = (GRAB, TURN, WAIT, STACK, SLIDE)
     grammar = program_grammar(there, actions, comments=comments, feedback=feedback)
     pattern = expression(grammar).replace(f"{{1,{MAX_STEPS}}}", "{1,4}").replace("{1,100}", "{1,9}")
     cue = write_cue(
         Task(scene=there, actions=actions, instruction=Instruction("go"), options=PlannerOptions())
     )
 
-    @settings(max_examples=120, deadline=None)
+    @settings(max_examples=50, deadline=None)
     @given(st.from_regex(pattern, fullmatch=True, alphabet=st.characters(codec="utf-8")))
     def check(body):
         program = parse_program(cue + body)
@@ -121,6 +135,52 @@ def test_it_binds_actions_objects_containers_and_comments():
     assert not allows(grammar, "push('pear', 'bowl')")
     assert not allows(grammar, "# only a remark")
     assert not allows(grammar, "")
+
+
+def test_a_support_may_be_any_object_but_the_one_put_onto_it():
+    there = scene("block", "cube", "bowl", containers=("bowl",))
+    grammar = program_grammar(there, [STACK], comments=False, feedback=False)
+    assert allows(grammar, "stack('block', 'cube')", "stack('cube', 'bowl')")
+    assert not allows(grammar, "stack('cube', 'cube')")
+
+
+def test_words_and_numbers_stand_in_order_or_by_name():
+    grammar = program_grammar(scene("cube"), [SLIDE], comments=False, feedback=False)
+    assert allows(grammar, "slide('cube', 'left', -0.25)", "slide('cube', side='right', x=3)")
+    for call in ("'up', 1", "'left', x=1", "'left'", "'left', 1e9", "side='left'"):
+        assert not allows(grammar, f"slide('cube', {call})")
+    unsaid = ActionSignature(
+        name="say", parameters=(Parameter(name="word", role="word"),), meaning="Says it."
+    )
+    assert allows(program_grammar(scene(), [unsaid], comments=False, feedback=False), "pass")
+
+
+def test_the_paper_s_assertions_are_allowed_where_they_are_asked_for():
+    there = scene("pear", "fridge", containers=("fridge",))
+    relations = ("near", "held", "open", "in")
+    grammar = program_grammar(there, [TURN], comments=False, feedback=True, relations=relations)
+    for asserted in (
+        "'close' to 'pear'", "'pear' in 'hands'", "'fridge' is 'opened'", "'pear' in 'fridge'",
+    ):  # fmt: skip
+        assert allows(grammar, f"assert({asserted})", "    else: turn('pear', 1)")
+    for asserted in ("'pear' on 'fridge'", "'fridge' is 'closed'", "'close' to 'plum'"):
+        assert not allows(grammar, f"assert({asserted})", "    else: turn('pear', 1)")
+
+
+def test_a_body_that_was_begun_may_have_nothing_left():
+    there = scene("pear", "bowl", containers=("bowl",))
+    whole = program_grammar(there, [GRAB], comments=True, feedback=False)
+    rest = program_grammar(there, [GRAB], comments=True, feedback=False, begun=True)
+    assert allows(rest)
+    assert allows(rest, "# 2: Done")
+    assert allows(rest, "grab_and_putin('pear', 'bowl')")
+    assert not allows(whole)
+
+
+def test_the_grammar_of_a_crowded_scene_stays_small():
+    names = [f"thing number {n}" for n in range(200)]
+    grammar = program_grammar(scene(*names), [GRAB, STACK], comments=True, feedback=True)
+    assert len(grammar) < 20_000
 
 
 def test_where_the_scene_has_no_container_any_other_object_will_do():

@@ -105,3 +105,34 @@ def test_file_that_is_no_model_cannot_be_loaded(tmp_path):
     path.write_bytes(b"no model")
     with pytest.raises(ModelUnavailable, match=r"bad\.gguf could not be loaded"):
         LocalModel(path, "bad", LlmConfig(cache_dir=tmp_path), "bad")
+
+
+def test_candidates_are_scored_as_their_tokens_are_likely(small_model):
+    prompt = PREFIX + "def put_pear_in_bowl():\n    grab_and_putin('"
+    fruits = ["pear', 'bowl')", "lime', 'bowl')", "pear', 'box')", "bowl', 'pear')"]
+    scores = small_model.score(prompt, fruits)
+    assert max(scores) == scores[0]
+    assert -1.0 < scores[0] < 0.0
+    assert all(score < -2.0 for score in scores[1:])
+    assert small_model.score(prompt, ["pear"]) == (0.0,)
+    assert small_model.score(prompt, []) == ()
+
+
+def test_score_agrees_with_the_text_it_writes(small_model):
+    asked = CompletionRequest(prompt="one, two, three,", max_tokens=1, logprob=True)
+    written = small_model.complete(asked)
+    score, _ = small_model.score("one, two, three,", [written.text, " nine"])
+    assert score == pytest.approx(written.logprob, abs=0.1)
+
+
+def test_many_candidates_are_scored_in_seconds(small_model):
+    calls = [
+        f"put('{a}', '{b}')"
+        for a in ("cup", "red mug", "lime", "coke can", "sponge", "pear")
+        for b in ("bowl", "box", "bin", "tray")
+    ]
+    prompt = PREFIX + "def put_lime_in_box():\n    "
+    began = time.process_time()
+    scores = small_model.score(prompt, calls)
+    assert time.process_time() - began < 6
+    assert calls[scores.index(max(scores))] == "put('lime', 'box')"

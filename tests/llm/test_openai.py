@@ -1,4 +1,5 @@
 import json
+from dataclasses import replace
 
 import httpx
 import pytest
@@ -122,3 +123,56 @@ def test_model_without_endpoint_cannot_be_opened():
 def test_key_is_not_shown_where_the_endpoint_is():
     endpoint = Endpoint(base_url="http://llm.test/v1", model="big", key="secret")
     assert "secret" not in repr(LlmConfig(endpoints=(("big", endpoint),)))
+
+
+def test_stream_that_breaks_off_is_no_answer():
+    text = f"data: {json.dumps(piece('a'))}\n\n"
+    mine, _ = model(httpx.Response(200, text=text))
+    with pytest.raises(CompletionFailed, match="mine broke off in the middle"):
+        mine.complete(REQUEST, lambda text: False)
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        {"token_logprobs": [-1.0, -2.0]},
+        {"content": [{"token": "x", "logprob": -1.0}, {"token": "y", "logprob": -2.0}]},
+    ],
+)
+def test_mean_log_probability_is_told_where_it_was_asked_for(told):
+    mine, asked = model(httpx.Response(200, json=piece("xy", logprobs=told)))
+    assert mine.complete(replace(REQUEST, logprob=True)).logprob == -1.5
+    assert asked[0][1]["logprobs"] == 1
+    silent, asked = model(httpx.Response(200, json=piece("xy")))
+    assert silent.complete(REQUEST).logprob is None
+    assert "logprobs" not in asked[0][1]
+
+
+def echoed(text, *tokens):
+    starts = [sum(len(token) for token, _ in tokens[:n]) for n in range(len(tokens))]
+    told = {"text_offset": starts, "token_logprobs": [value for _, value in tokens]}
+    return piece(text, logprobs=told)
+
+
+def test_candidates_are_scored_by_their_own_tokens_alone():
+    cup = echoed("the cup.", ("the", None), (" cup", -1.0), (".", -9.0))
+    bowl = echoed("the bowl.", ("the", None), (" bo", -0.5), ("wl", -0.25), (".", -9.0))
+    choices = [{**bowl["choices"][0], "index": 1}, {**cup["choices"][0], "index": 0}]
+    mine, asked = model(httpx.Response(200, json={"choices": choices}))
+    assert mine.score("the", [" cup", " bowl"]) == (-1.0, -0.75)
+    assert asked[0][1]["prompt"] == ["the cup", "the bowl"]
+    assert asked[0][1]["echo"] is True
+
+
+@pytest.mark.parametrize("answer", [piece("x"), echoed("x", ("x", -1.0)), {"choices": []}])
+def test_service_that_does_not_echo_cannot_score(answer):
+    mine, _ = model(httpx.Response(200, json=answer))
+    with pytest.raises(ModelUnavailable, match="use a local model"):
+        mine.score("the", [" cup"])
+
+
+def test_chat_cannot_score_and_is_not_asked():
+    mine, asked = model(httpx.Response(200, json=piece("x")), chat=True)
+    with pytest.raises(ModelUnavailable, match="only takes chats"):
+        mine.score("the", [" cup"])
+    assert asked == []

@@ -1,20 +1,24 @@
+from datetime import UTC, datetime, timedelta
+from email.utils import format_datetime
+
 import httpx
 import pytest
 
 from app.domain.errors import CompletionFailed, ModelUnavailable
-from app.llm.transport import LONGEST_WAIT, Transport
+from app.llm.transport import LONGEST_WAIT, Patience, Transport, sent_events
 
 
 class Service:
     """Gives the answers it was made with, one a request; an exception is raised."""
 
-    def __init__(self, *answers):
+    def __init__(self, *answers, jitter=0.0):
         self.answers = list(answers)
         self.requests = []
         self.waits = []
         self.transport = Transport(
             "https://models.test/v1/",
-            key="secret",
+            headers={"Authorization": "Bearer secret"},
+            patience=Patience(jitter=jitter),
             transport=httpx.MockTransport(self._answer),
             sleep=self.waits.append,
         )
@@ -113,3 +117,53 @@ def test_silence_is_not_asked_again():
 def test_address_that_is_none_is_refused(url):
     with pytest.raises(ModelUnavailable, match="could not be reached"):
         Transport(url).post("completions", {})
+
+
+def test_waits_are_lengthened_at_random_but_not_beyond_the_share():
+    waits = []
+    for _ in range(20):
+        service = Service(httpx.Response(503), good(), jitter=0.5)
+        service.transport.post("completions", {})
+        waits += service.waits
+    assert len(set(waits)) > 10
+    assert all(0.5 <= wait <= 0.75 for wait in waits)
+
+
+def test_date_that_ends_the_pause_is_understood():
+    soon = format_datetime(datetime.now(UTC) + timedelta(seconds=20), usegmt=True)
+    service = Service(httpx.Response(503, headers={"Retry-After": soon}), good())
+    service.transport.post("completions", {})
+    assert 15 < service.waits[0] <= 20
+
+
+@pytest.mark.parametrize(
+    ("status", "todo"), [(429, "rate limit or the quota"), (529, "overloaded"), (503, "overloaded")]
+)
+def test_lasting_trouble_says_what_to_do(status, todo):
+    service = Service(*[httpx.Response(status)] * 4)
+    with pytest.raises(ModelUnavailable, match=rf"still {status} .* {todo}"):
+        service.transport.post("completions", {})
+
+
+@pytest.mark.parametrize(
+    "message", ["maximum context length is 4096 tokens", "prompt is too long: 9 > 8"]
+)
+def test_prompt_too_long_for_the_model_says_so(message):
+    service = Service(httpx.Response(400, json={"error": {"message": message}}))
+    with pytest.raises(CompletionFailed, match=r"too long .*use fewer objects or examples"):
+        service.transport.post("completions", {})
+
+
+def test_answer_that_breaks_off_is_told_apart_from_no_answer():
+    def break_off():
+        yield b'{"a": '
+        raise httpx.ReadError("connection reset")
+
+    service = Service(httpx.Response(200, content=break_off()))
+    with pytest.raises(ModelUnavailable, match="broke off: connection reset; ask again"):
+        service.transport.post("completions", {})
+
+
+def test_sent_events_are_objects_and_the_end_an_empty_one():
+    text = ': ping\n\nevent: a\ndata: {"n": 1}\n\ndata: [DONE]\n\n'
+    assert list(sent_events(httpx.Response(200, text=text))) == [{"n": 1}, {}]

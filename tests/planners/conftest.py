@@ -5,6 +5,8 @@ from app.domain.instruction import Instruction
 from app.domain.llm import Completion
 from app.domain.planner import PlannerOptions, Task
 from app.domain.scene import Scene, SceneObject
+from app.llm.backends.scripted import Answer, ScriptedModel
+from app.worlds import worlds
 
 
 class CannedModel:
@@ -36,7 +38,11 @@ class CannedModel:
             prompt_tokens=len(request.prompt) // 4,
             completion_tokens=-(-len(text) // 4),
             seconds=0.0,
+            logprob=0.0 if request.logprob else None,
         )
+
+    def score(self, prompt, candidates):
+        return ScriptedModel([Answer(text=self.text)]).score(prompt, candidates)
 
 
 @pytest.fixture
@@ -47,14 +53,16 @@ def canned():
 @pytest.fixture
 def task():
     def make(**options):
-        return Task(
-            scene=Scene(
-                world="tabletop",
-                objects=(
-                    SceneObject(name="banana"),
-                    SceneObject(name="bowl", container=True),
-                ),
+        scene = Scene(
+            world="tabletop",
+            objects=(
+                SceneObject(name="banana"),
+                SceneObject(name="bowl", container=True),
             ),
+        )
+        return Task(
+            scene=scene,
+            rehearsal=lambda: worlds["tabletop"].open_perfect(scene, 0),
             actions=(
                 ActionSignature(
                     name="grab_and_putin",

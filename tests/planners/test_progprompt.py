@@ -1,10 +1,14 @@
+from dataclasses import replace
+
 import pytest
 
 from app.domain.errors import Cancelled, CompletionFailed
+from app.domain.llm import Completion
+from app.domain.planner import Turn
 from app.domain.program import ActionCall
-from app.domain.trace import CompletionGrew, PlanningStarted, PromptWritten
+from app.domain.trace import CompletionContinued, CompletionGrew, PlanningStarted, PromptWritten
 from app.planners import planners
-from app.planners.progprompt import function_body
+from app.planners.progprompt import MAX_CONTINUATIONS, function_body, whole_lines
 from app.programs.parser import parse_program
 from app.programs.prompt import write_prompt
 
@@ -73,7 +77,7 @@ def test_options_reach_the_model(task, canned, write):
         ("    banana bowl banana\n", "is no plan: program.line 3"),
         ("    import os\n    os.system('ls')\n", "program.line 3"),
         ("    # 1: think\n", "no statement"),
-        ("    grab_and_putin('banana', 'bowl')\n" * 5000, "no end within 600 tokens"),
+        ("    grab_and_putin('banana', 'bowl')\n" * 5000, "no end within 1800 tokens"),
         ("    # " + "so " * 5000, "no end within 600 tokens"),
     ],
 )
@@ -115,3 +119,115 @@ def test_a_wish_to_stop_is_heard_at_every_event(task, canned, write, wish_at):
 )
 def test_the_body_ends_where_the_indentation_does(text, body):
     assert function_body(text) == body
+
+
+class CutOff:
+    """Goes on with a text from where its prompt ends, and comes so far in one go."""
+
+    name = "cut off"
+
+    def __init__(self, text, reach, *, follows_grammar=False):
+        self.text = text
+        self.reach = reach
+        self.follows_grammar = follows_grammar
+        self.requests = []
+
+    def complete(self, request, on_text=None):
+        self.requests.append(request)
+        written = request.prompt.removeprefix(self.requests[0].prompt)
+        rest = self.text[len(written) :] if self.text.startswith(written) else self.text
+        text = rest[: self.reach]
+        if on_text:
+            on_text(text)
+        return Completion(
+            text=text,
+            model=self.name,
+            finish="stop" if len(text) == len(rest) else "length",
+            prompt_tokens=10,
+            completion_tokens=5,
+            seconds=0.5,
+        )
+
+    def score(self, prompt, candidates):
+        raise NotImplementedError
+
+
+LONG = (
+    "    # 1: again and again\n" + "    grab_and_putin('banana', 'bowl')\n" * 5 + "    # 2: Done\n"
+)
+
+
+def test_a_completion_that_was_cut_off_is_gone_on_with_from_its_last_whole_line(task, write):
+    events, model = [], CutOff(LONG, 100)
+    draft = write(task(), model, lambda event: bool(events.append(event)))
+    assert draft.completion.text == LONG
+    assert draft.program.endswith(LONG)
+    first, *later = model.requests
+    assert len(later) == 2
+    for request in later:
+        kept = request.prompt.removeprefix(first.prompt)
+        assert kept
+        assert kept.endswith("\n")
+        assert LONG.startswith(kept)
+    assert draft.completion.completion_tokens == 15
+    assert draft.completion.seconds == 1.5
+    assert rebuilt(events) == LONG
+
+
+def rebuilt(events):
+    """The completion as somebody who listens to the events has it."""
+    text = ""
+    for event in events:
+        if isinstance(event, CompletionGrew):
+            text += event.text
+        elif isinstance(event, CompletionContinued):
+            text = text[: event.kept]
+    return text
+
+
+def test_what_goes_on_is_bound_by_the_grammar_of_a_begun_body(task, write):
+    model = CutOff(LONG, 150, follows_grammar=True)
+    write(task(), model)
+    begun = [request.grammar.startswith("root ::= (step{0,") for request in model.requests]
+    assert begun == [False, True]
+
+
+def test_a_model_that_never_comes_to_an_end_is_asked_so_often_and_no_more(task, write):
+    endless = "    grab_and_putin('banana', 'bowl')\n" * 500
+    model = CutOff(endless, 200)
+    with pytest.raises(CompletionFailed, match="no end within 15 tokens"):
+        write(task(), model)
+    assert len(model.requests) == 1 + MAX_CONTINUATIONS
+
+
+@pytest.mark.parametrize(
+    ("text", "kept"),
+    [
+        ("", ""),
+        ("    grab('a", ""),
+        ("    grab('a')\n    gra", "    grab('a')\n"),
+        ("    grab('a')\n    assert('a' in 'b')\n        el", "    grab('a')\n"),
+        ("    assert('a' in 'b')\n        else: c()\n   ", "    assert('a' in 'b')\n        else: c()\n"),
+        ("    # a\u2028assert\n    x", "    # a\u2028assert\n"),
+    ],
+)  # fmt: skip
+def test_whole_lines_are_kept_and_assertions_with_their_recoveries(text, kept):
+    assert whole_lines(text) == kept
+
+
+def test_the_prompt_begins_with_the_preamble(task):
+    planner = planners["progprompt"]
+    assert write_prompt(task()).startswith(planner.preamble("tabletop", task().actions))
+
+
+def test_the_dialogue_and_the_failed_try_reach_the_model(task, canned, write):
+    failed = Turn(
+        instruction="put the banana in the bowl",
+        program="def put_the_banana_in_the_bowl():\n    grab_and_putin('banana', 'bowl')\n",
+        outcome="the banana slipped",
+    )
+    model = canned(GOOD)
+    draft = write(replace(task(), failed=failed), model)
+    assert "# what happened: the banana slipped\n" in model.requests[0].prompt
+    assert model.requests[0].grammar
+    assert parse_program(draft.program).name == "finish_put_the_banana_in_the_bowl"

