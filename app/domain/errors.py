@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.domain.llm import Completion
+from app.domain.pose import Pose
 from app.domain.program import ActionCall
 
 
@@ -133,11 +134,20 @@ class TaskDeclined(ProgPromptError):
 class ActionFailure(ProgPromptError):
     """A step of a plan did not succeed in its world."""
 
-    def __init__(self, stage: str, reason: str, *, remedy: tuple[ActionCall, ...] = ()) -> None:
+    def __init__(
+        self,
+        stage: str,
+        reason: str,
+        *,
+        remedy: tuple[ActionCall, ...] = (),
+        pose: Pose | None = None,
+    ) -> None:
         self.stage = stage
         self.reason = reason
         self.remedy = remedy
         """Calls that would bring about the precondition that is missing, where there are any."""
+        self.pose = pose
+        """The gripper's, between the finger tips, where it could not come to."""
         super().__init__(f"{stage}: {reason}")
 
 

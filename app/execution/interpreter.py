@@ -1,11 +1,21 @@
 """Plan + world → the events of its execution."""
 
 from collections.abc import Iterable, Iterator
+from itertools import accumulate
 from typing import assert_never
 
 from app.domain.condition import Relation, decide
 from app.domain.goal import Goal
-from app.domain.plan import GroundedAssertion, GroundedCall, Plan, RejectedCall
+from app.domain.plan import (
+    Call,
+    GroundedAssertion,
+    GroundedBranch,
+    GroundedCall,
+    Jump,
+    Plan,
+    RejectedCall,
+    Step,
+)
 from app.domain.program import Comment
 from app.domain.trace import (
     CallSkipped,
@@ -18,12 +28,12 @@ from app.domain.trace import (
     Tick,
 )
 from app.domain.world import World
-from app.execution.assertion import StateCheck, WorldCheck
+from app.execution.assertion import StateCheck, WorldCheck, choose
 from app.execution.call import perform, skip
 from app.execution.recovery import demand
 
 MAX_STEPS = 200
-"""Calls and assertions of one execution; further ones are skipped, comments are not counted."""
+"""Calls and assertions of one plan; further ones are skipped, comments are not counted."""
 
 
 def execute(
@@ -43,17 +53,24 @@ def execute(
     decider = decider or WorldCheck()
     if start == 0:
         yield ExecutionStarted(facts=_in_order(world.facts()))
-    run = sum(not isinstance(step, Comment) for step in plan.steps[:start])
-    for index, step in enumerate(plan.steps[start:], start=start):
-        if isinstance(step, Comment):
-            yield CommentReached(line=step.line, text=step.text, time=world.time)
-            continue
-        run += 1
-        if run > MAX_STEPS:
-            yield _left_out(step, world)
-            continue
-        yield from _run(step, world, decider)
-        yield Checkpoint(next_step=index + 1)
+    places = tuple(accumulate(map(_counts, plan.steps)))
+    index = start
+    while index < len(plan.steps):
+        step = plan.steps[index]
+        allowed = places[index] <= MAX_STEPS
+        index += 1
+        match step:
+            case Jump(skip=passed_over):
+                index += passed_over
+                continue
+            case GroundedBranch():
+                decided = choose(step, world, decider)
+                yield decided
+                index += 0 if decided.holds else step.skip
+            case _:
+                yield from _run(step, world, decider, allowed=allowed)
+        if not isinstance(step, Comment) and allowed:
+            yield Checkpoint(next_step=index)
     world.settle()
     yield Tick()
     yield from check_goal(goal or Goal(), world)
@@ -68,9 +85,13 @@ def check_goal(goal: Goal, world: World) -> Iterator[GoalChecked]:
 
 
 def _run(
-    step: GroundedCall | RejectedCall | GroundedAssertion, world: World, decider: StateCheck
+    step: Comment | Call | GroundedAssertion, world: World, decider: StateCheck, *, allowed: bool
 ) -> Iterator[Happening]:
     match step:
+        case Comment(text=text, line=line):
+            yield CommentReached(line=line, text=text, time=world.time)
+        case _ if not allowed:
+            yield _left_out(step, world)
         case GroundedCall() | RejectedCall():
             yield from perform(step, world)
         case GroundedAssertion():
@@ -79,7 +100,12 @@ def _run(
             assert_never(step)
 
 
-def _left_out(step: GroundedCall | RejectedCall | GroundedAssertion, world: World) -> CallSkipped:
+def _counts(step: Step) -> bool:
+    """Whether it is one of those of which there may be so many, passed over or not."""
+    return not isinstance(step, Comment | Jump | GroundedBranch)
+
+
+def _left_out(step: Call | GroundedAssertion, world: World) -> CallSkipped:
     reason = f"an execution takes at most {MAX_STEPS} steps"
     if isinstance(step, GroundedAssertion):
         text = f"assert {step.condition}"

@@ -16,8 +16,8 @@ INDENT = "    "
 MAX_STEPS = 40
 MAX_COMMENT = 100
 """Characters."""
-MAX_PAIRED = 60
-"""Objects up to which a grammar keeps an object from being put onto itself; its size is their square."""
+GROUP = 12
+"""Objects that share the rule for all others; so the grammar does not grow as their square."""
 NUMBER = r'number ::= "-"? [0-9]{1,4} ("." [0-9]{1,4})?'
 PLACES = ("in", "on")
 """Relations that are asserted of two objects unless told otherwise."""
@@ -29,6 +29,7 @@ STATES = {
     "switched_off": "is 'switchoff'",
 }
 """Relations of one object, as the paper asserts them; ``near`` is told before the name."""
+NEAR = "'close' to "
 
 
 def program_grammar(
@@ -108,7 +109,7 @@ class _Words:
             name = self._name(self.names)
             states = [_quote(f" {STATES[each]}") for each in asserted if each in STATES]
             forms += [f"{name} ({' | '.join(states)})"] if states else []
-            forms += [f"{_quote(_NEAR)} {name}"] if "near" in asserted else []
+            forms += [f"{_quote(NEAR)} {name}"] if "near" in asserted else []
         if not forms:
             return ()
         self.rules.append(f'assertion ::= "assert(" ({" | ".join(forms)}) ")\\n" recovery{{1,3}}')
@@ -155,28 +156,32 @@ class _Words:
     def _pairs(self, one: Parameter, other: Parameter, between: str) -> str | None:
         """Two different objects: the first decides which are left for the second."""
         first, second = self._choices(one), self._choices(other)
-        if len(self.names) > MAX_PAIRED:
-            return f"{self._name(first)} {between} {self._name(second)}" if second else None
         choices: list[str] = []
         free = [name for name in first if name not in second]
         if free and second:
             choices.append(f"{self._name(free)} {between} {self._name(second)}")
-        for name in first:
-            rest = [each for each in second if each != name]
-            if name in second and rest:
-                choices.append(f"{_quote(literal(name))} {between} {self._name(rest)}")
-        return f"({' | '.join(choices)})" if choices else None
+        groups = [second[start : start + GROUP] for start in range(0, len(second), GROUP)]
+        for group in groups:
+            others = [self._name(each) for each in groups if each is not group]
+            elsewhere = [self._rule("others", " | ".join(others))] if others else []
+            for name in group:
+                near = [each for each in group if each != name]
+                rest = [*elsewhere, *([self._name(near)] if near else [])]
+                if name in first and rest:
+                    target = rest[0] if len(rest) == 1 else f"({' | '.join(rest)})"
+                    choices.append(f"{_quote(literal(name))} {between} {target}")
+        return self._rule("pair", " | ".join(choices)) if choices else None
 
     def _name(self, names: Sequence[str]) -> str:
-        """A rule for one of these names; the same names, the same rule."""
-        choices = " | ".join(_quote(literal(name)) for name in names)
-        if choices not in self._known:
-            self._known[choices] = f"name-{len(self.rules)}"
-            self.rules.append(f"{self._known[choices]} ::= {choices}")
-        return self._known[choices]
+        """A rule for one of these names."""
+        return self._rule("name", " | ".join(_quote(literal(name)) for name in names))
 
-
-_NEAR = "'close' to "
+    def _rule(self, kind: str, body: str) -> str:
+        """A rule of this kind; the same body, the same rule."""
+        if body not in self._known:
+            self._known[body] = f"{kind}-{len(self.rules)}"
+            self.rules.append(f"{self._known[body]} ::= {body}")
+        return self._known[body]
 
 
 def _can_be(parameter: Parameter) -> bool:

@@ -1,19 +1,32 @@
 """The paper's planner: prompt → completion → program."""
 
 import re
+from collections.abc import Sequence
+from dataclasses import replace
 
+from app.domain.action import ActionSignature
 from app.domain.errors import Cancelled, CompletionFailed, ProgramRefused
 from app.domain.llm import Completion, CompletionRequest, LanguageModel
-from app.domain.planner import Draft, Report, Task
-from app.domain.trace import CompletionGrew, PlanningStarted, PromptWritten
-from app.llm.grammar import program_grammar
+from app.domain.planner import Draft, PlannerOptions, Report, Task
+from app.domain.trace import (
+    CompletionContinued,
+    CompletionGrew,
+    PlanningEvent,
+    PlanningStarted,
+    PromptWritten,
+)
+from app.llm.embeddings import sentence_embedder
+from app.llm.grammar import PLACES, program_grammar
 from app.planners import planners
+from app.programs.examples import asserted_relations, load_examples
 from app.programs.parser import parse_program
-from app.programs.prompt import write_cue, write_prompt
+from app.programs.prompt import write_cue, write_preamble, write_prompt
 
 STOP = ("\ndef ", "\n\n\n", "\nfrom ", "\nclass ", "\nif __name__", "```")
 STOP_CONSTRAINED = ("\n\n", "\ndef ")
 """The grammar has an empty line at its end only."""
+MAX_CONTINUATIONS = 2
+"""How often a completion that was cut off is gone on with."""
 PIECE = 12
 """Characters the completion grows by, at least, before it is told of: a few tokens."""
 
@@ -23,7 +36,7 @@ _HEAD = re.compile(r"\A(?:[^\n]*\n)??def \w+\(\):[^\n]*\n(?:[ \t]+objects = [^\n
 
 @planners.register("progprompt")
 class ProgPrompt:
-    """Asks once for the whole function, as the paper does."""
+    """Asks for the whole function at once, as the paper does."""
 
     model = "qwen2.5-coder-1.5b"
 
@@ -37,23 +50,70 @@ class ProgPrompt:
         options = task.options
         telling = _Telling(report)
         telling.event(PlanningStarted(planner=options.name, model=model.name))
-        prompt = write_prompt(task)
+        prompt = write_prompt(task, _by_meaning if options.choice == "similar" else None)
         telling.event(PromptWritten(characters=len(prompt)))
-        constrained = options.constrained and model.follows_grammar
-        request = CompletionRequest(
-            prompt=prompt,
-            max_tokens=options.max_tokens,
-            stop=STOP_CONSTRAINED if constrained else STOP,
-            temperature=options.temperature,
-            seed=options.seed,
-            grammar=_grammar(task) if constrained else None,
-        )
-        completion = model.complete(request, telling.text)
-        telling.end(completion)
+        completion = _complete(task, prompt, model, telling)
         program = write_cue(task) + function_body(completion.text)
         if reason := _fault(completion, program):
             raise CompletionFailed(reason, prompt=prompt, completion=completion)
         return Draft(prompt=prompt, completion=completion, program=program)
+
+    def preamble(self, world: str, actions: Sequence[ActionSignature]) -> str:
+        """What its prompts begin with, as long as nobody asks for other switches."""
+        return write_preamble(world, actions, PlannerOptions())
+
+
+def _complete(task: Task, prompt: str, model: LanguageModel, telling: "_Telling") -> Completion:
+    """Ask for the body, and for the rest of it where the model ran into its limit of tokens."""
+    constrained = task.options.constrained and model.follows_grammar
+    request = CompletionRequest(
+        prompt=prompt,
+        max_tokens=task.options.max_tokens,
+        stop=STOP_CONSTRAINED if constrained else STOP,
+        temperature=task.options.temperature,
+        seed=task.options.seed,
+        grammar=_grammar(task) if constrained else None,
+    )
+    completion = model.complete(request, telling.text)
+    telling.end(completion)
+    for _ in range(MAX_CONTINUATIONS):
+        kept = whole_lines(completion.text)
+        if completion.finish != "length" or not kept:
+            break
+        telling.event(CompletionContinued(kept=len(kept), tokens=completion.completion_tokens))
+        grammar = _grammar(task, begun=True) if constrained else None
+        rest = model.complete(replace(request, prompt=prompt + kept, grammar=grammar), telling.text)
+        telling.end(rest)
+        completion = _joined(completion, kept, rest)
+    return completion
+
+
+def whole_lines(text: str) -> str:
+    """What of a completion that was cut off can be gone on from: its whole lines.
+
+    An assertion whose recoveries are still to come is left out with them.
+    """
+    lines = re.findall(r"[^\n]*\n", text)
+    while lines and lines[-1].lstrip().startswith("assert"):
+        lines.pop()
+    return "".join(lines)
+
+
+def _joined(begun: Completion, kept: str, rest: Completion) -> Completion:
+    return replace(
+        rest,
+        text=kept + rest.text,
+        prompt_tokens=begun.prompt_tokens + rest.prompt_tokens,
+        completion_tokens=begun.completion_tokens + rest.completion_tokens,
+        seconds=begun.seconds + rest.seconds,
+    )
+
+
+def _by_meaning(sentence: str, texts: Sequence[str]) -> Sequence[int]:
+    """The places of the texts, the one closest in meaning to the sentence first."""
+    vectors = sentence_embedder().embed([sentence, *texts])
+    likeness = vectors[1:] @ vectors[0]
+    return sorted(range(len(texts)), key=lambda place: (-float(likeness[place]), place))
 
 
 def function_body(text: str) -> str:
@@ -72,10 +132,16 @@ def function_body(text: str) -> str:
     return f"{body}\n" if body else ""
 
 
-def _grammar(task: Task) -> str:
+def _grammar(task: Task, *, begun: bool = False) -> str:
     options = task.options
+    shown = asserted_relations(load_examples(task.scene.world))
     return program_grammar(
-        task.scene, task.actions, comments=options.comments, feedback=options.feedback
+        task.scene,
+        task.actions,
+        comments=options.comments,
+        feedback=options.feedback,
+        relations=shown or PLACES,
+        begun=begun,
     )
 
 
@@ -112,7 +178,7 @@ class _Telling:
         self._told = False
         self._stopping = False
 
-    def event(self, event: PlanningStarted | PromptWritten | CompletionGrew) -> None:
+    def event(self, event: PlanningEvent) -> None:
         """Tell of one event.
 
         Raises:
@@ -138,5 +204,6 @@ class _Telling:
         if self._stopping or completion.finish == "cancelled":
             raise Cancelled("planning was cancelled")
         rest = self._pending if self._told else self._pending or completion.text
+        self._pending, self._told = "", False
         if rest:
             self.event(CompletionGrew(text=rest))

@@ -10,10 +10,10 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NoReturn
 
-from app.domain.condition import AnyOf, Condition, Count, Not, Relation, relations
+from app.domain.condition import AnyOf, Condition, Count, Not, Property, Relation, relations
 from app.domain.errors import Fault, GoalRefused
 from app.domain.goal import Goal
-from app.domain.program import literal
+from app.domain.program import Variable, literal
 from app.domain.scene import Scene
 
 MAX_CHARACTERS = 10_000
@@ -58,6 +58,8 @@ def print_condition(condition: Condition) -> str:
             return f"any_of({', '.join(map(print_condition, conditions))})"
         case Count(container, objects, number):
             return f"count({_shown(container)}; {' | '.join(map(_shown, objects))}) = {number}"
+        case Property(name, subject, value):
+            return f"{name}({_shown(subject)}) == {literal(value)}"
 
 
 def check_condition(
@@ -68,7 +70,7 @@ def check_condition(
     Raises:
         GoalRefused: a relation or an object is not known, or the number of objects is wrong.
     """
-    names = frozenset(scene.names)
+    names = frozenset(scene.names) | {scene.agent or ""}
     for relation in relations(condition):
         message = _relation_fault(relation, known) or _object_fault(relation, names)
         if message:
@@ -119,7 +121,7 @@ def _relation_fault(relation: Relation, known: Mapping[str, int]) -> str | None:
 
 def _object_fault(relation: Relation, names: frozenset[str]) -> str | None:
     for name in relation.arguments:
-        if name not in names:
+        if not name or name not in names:
             likely = nearest(name, sorted(names))
             hint = f"did you mean {likely!r}?" if likely else f"there is: {_listed(names)}"
             return f"there is no object {name[:80]!r} in the scene; {hint}"
@@ -132,7 +134,7 @@ def _listed(names: frozenset[str]) -> str:
 
 
 def _shown(name: str) -> str:
-    return name if _PLAIN.fullmatch(name) else literal(name)
+    return name if isinstance(name, Variable) or _PLAIN.fullmatch(name) else literal(name)
 
 
 class _Reading:

@@ -26,7 +26,7 @@ _SCANNER = re.compile(
   | (?P<number>  (?: [0-9]+ (?: \.[0-9]* )? | \.[0-9]+ ) (?: [eE][+-]?[0-9]+ )? (?! \w ) )
   | (?P<name>    [^\W\d]\w* )
   | (?P<newline> \n )
-  | (?P<symbol>  == | -> | [()\[\],:=\-<>.] )
+  | (?P<symbol>  == | != | -> | [()\[\]{},:=+\-<>.] )
     """,
     re.VERBOSE,
 )
@@ -117,11 +117,11 @@ def _refuse_unstorable(text: str) -> None:
 def _follow_brackets(token: Token, open_lines: list[int]) -> None:
     if token.kind != "symbol":
         return
-    if token.text in "([":
+    if token.text in "([{":
         open_lines.append(token.line)
         if len(open_lines) > MAX_BRACKET_DEPTH:
             refuse(token.line, f"brackets nest deeper than {MAX_BRACKET_DEPTH}; write plain calls")
-    elif token.text in ")]":
+    elif token.text in ")]}":
         if not open_lines:
             refuse(token.line, f"{token.text!r} closes nothing; remove it")
         open_lines.pop()

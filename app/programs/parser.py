@@ -1,9 +1,10 @@
 """Program text → ``Program``; nothing is ever executed, and what is not understood is refused.
 
-The language: optional ``from actions import …`` lines, an optional ``objects = [...]``, then one
-``def name():`` whose body holds an optional docstring, an optional ``objects = [...]`` of its own,
-comments, calls of action primitives on quoted names and numbers, ``pass``, ``return`` (which ends
-the program), and assertions, either as the paper writes them::
+The language: optional ``from actions import …`` lines, an optional ``objects = [...]`` (or a scene
+graph, ``objects = {...}``), helper functions, then the task, ``def name():``, whose body holds an
+optional docstring, an optional ``objects = [...]`` of its own, comments, calls of action primitives
+and of helpers, ``pass``, ``return`` (which ends the function), loops over listed names or over the
+objects, ``if`` and ``else``, and assertions, either as the paper writes them::
 
     assert('close' to 'lime')
         else: find('lime')
@@ -11,20 +12,18 @@ the program), and assertions, either as the paper writes them::
 or as Python does: ``assert near('lime'), find('lime')``.
 """
 
-import keyword
-from dataclasses import replace
-
 from app.domain.errors import Fault, ProgramRefused
-from app.domain.program import Assertion, Comment, Pass, Program, Statement
-from app.programs.assertions import read_call, read_condition, read_recovery
+from app.domain.program import Described, Helper, Program
+from app.programs.bodies import Body
 from app.programs.cursor import Cursor
 from app.programs.lexer import Line, read_lines, refuse
+from app.programs.objects import read_objects
+from app.programs.signatures import Signature, read_signature
 
-MAX_STATEMENTS = 2000
 MAX_FAULTS = 10
 """So many faulty lines are told of at once."""
-
-_FOREIGN = frozenset(keyword.kwlist)
+MAX_STATEMENTS = 2000
+MAX_HELPERS = 20
 
 
 def parse_program(text: str) -> Program:
@@ -54,14 +53,14 @@ class _Reading:
     """What has been read of a program so far."""
 
     def __init__(self) -> None:
-        self.name: str | None = None
         self.objects: tuple[str, ...] | None = None
-        self.body: list[Statement] = []
-        self.statements = 0
-        self.indent: int | None = None
-        """Columns before the body's statements, once the first of them is read."""
-        self.ended = False
-        """A ``return`` was read: what follows is checked, and left out."""
+        self.described: tuple[Described, ...] = ()
+        self.helpers: list[Helper] = []
+        self.signature: Signature | None = None
+        """Of the function that is being read."""
+        self.body = Body(limit=MAX_STATEMENTS)
+        self.known: dict[str, Signature] = {}
+        self.called: set[str] = set()
 
     def program(self) -> Program:
         """The whole of it.
@@ -69,21 +68,42 @@ class _Reading:
         Raises:
             ProgramRefused: there is no function, or nothing but comments in it.
         """
-        if self.name is None:
+        if self.signature is None:
             wanted = "has no function; write def task_name(): and the calls indented below it"
             raise ProgramRefused(Fault(field="program", message=wanted))
-        if all(isinstance(statement, Comment) for statement in self.body):
+        if self.signature.parameters:
+            refuse(self.signature.line, "a plan takes no parameters: def name():")
+        body = self.body.finish()
+        if not self.body.says_something:
             wanted = "has no statement in its function; write pass if there is nothing to do"
             raise ProgramRefused(Fault(field="program", message=wanted))
-        return Program(name=self.name, objects=self.objects, body=tuple(self.body))
+        self.called |= self.body.called
+        for helper in self.helpers:
+            if helper.name not in self.called:
+                refuse(
+                    helper.line,
+                    "a program is one function and the helpers it calls; "
+                    f"nothing calls {helper.name[:80]}",
+                )
+        return Program(
+            name=self.signature.name,
+            objects=self.objects,
+            described=self.described,
+            helpers=tuple(self.helpers),
+            body=body,
+        )
 
     def take(self, line: Line) -> None:
         """Read one more line."""
-        cursor = Cursor(line)
-        if self.name is None:
-            self._take_header(cursor)
+        if self.signature is None:
+            self._take_header(Cursor(line))
+        elif line.indent or line.tokens[0].kind == "comment":
+            self._take_body(line)
+        elif Cursor(line).sees("def"):
+            self._end_helper(self.signature)
+            self._begin(Cursor(line))
         else:
-            self._take_body(cursor)
+            refuse(line.number, "stands outside the function; indent it or remove it")
 
     def _take_header(self, cursor: Cursor) -> None:
         token = cursor.line.tokens[0]
@@ -94,9 +114,9 @@ class _Reading:
         if cursor.takes("from"):
             _check_import(cursor)
         elif cursor.sees("objects"):
-            self.objects = _objects(cursor)
-        elif cursor.takes("def"):
-            self.name = _function_name(cursor)
+            self.objects, self.described = read_objects(cursor)
+        elif cursor.sees("def"):
+            self._begin(cursor)
         else:
             refuse(
                 token.line,
@@ -104,138 +124,49 @@ class _Reading:
                 f"not {cursor.shown()}",
             )
 
-    def _take_body(self, cursor: Cursor) -> None:
-        token = cursor.line.tokens[0]
-        if token.kind == "comment":
-            if cursor.line.indent:
-                self._add(Comment(text=token.text, line=token.line))
-            return
-        self._check_place(cursor)
-        if cursor.sees("else"):
-            self._take_else(cursor)
-        elif cursor.sees("objects") and cursor.sees("=", distance=1):
-            objects = _objects(cursor)
-            if self.body and not all(isinstance(each, Comment) for each in self.body):
-                refuse(token.line, "the object list stands above the first statement; move it up")
-            self.objects = objects
-        elif token.kind == "string":
-            if self.body:
-                refuse(token.line, "a string does nothing here; write a comment with #")
-            cursor.take("string", "a docstring")
-            cursor.finish("a docstring stands alone on its line")
-        else:
-            self._take_statement(cursor)
-
-    def _check_place(self, cursor: Cursor) -> None:
-        line = cursor.line
-        if cursor.sees("def") or cursor.sees("class"):
-            refuse(line.number, "a program is one function; remove this one")
+    def _take_body(self, line: Line) -> None:
+        cursor = Cursor(line)
         if not line.indent:
-            refuse(line.number, "stands outside the function; indent it or remove it")
-        if self.indent is None:
-            self.indent = line.indent
-        deeper = line.indent > self.indent
-        if line.indent != self.indent and not (deeper and cursor.sees("else")):
+            return  # A remark between functions.
+        if cursor.sees("objects") and cursor.sees("=", distance=1):
+            objects = read_objects(cursor)
+            if not self.body.fresh:
+                refuse(line.number, "the object list stands above the first statement; move it up")
+            self.objects, self.described = objects
+            return
+        self.body.take(line)
+
+    def _begin(self, cursor: Cursor) -> None:
+        self.signature = signature = read_signature(cursor)
+        if signature.name in self.known:
+            refuse(signature.line, f"{signature.name[:80]} is defined twice")
+        self.body = Body(
+            limit=MAX_STATEMENTS - self.body.statements,
+            variables=signature.parameters,
+            helpers=self.known,
+        )
+
+    def _end_helper(self, signature: Signature) -> None:
+        """The function read so far is a helper, since another one follows."""
+        body = self.body.finish()
+        if not self.body.says_something:
+            refuse(signature.line, f"{signature.name[:80]} does nothing; write pass if it is to")
+        if len(self.helpers) >= MAX_HELPERS:
             refuse(
-                line.number,
-                f"is indented by {line.indent} columns where the body has {self.indent}; "
-                "there are no blocks in a plan, align it",
+                signature.line, f"there are more than {MAX_HELPERS} helpers; write out the calls"
             )
-
-    def _take_statement(self, cursor: Cursor) -> None:
-        token = cursor.line.tokens[0]
-        statement: Statement
-        if cursor.takes("pass"):
-            statement = Pass(line=token.line)
-        elif cursor.takes("return"):
-            statement = Pass(line=token.line)
-            cursor.finish("return takes no value")
-            if all(isinstance(each, Comment) for each in self.body):
-                self._add(statement)
-            self.ended = True
-            return
-        elif cursor.takes("assert"):
-            statement = _assertion(cursor, token.line)
-        else:
-            _check_call(cursor)
-            statement = read_call(cursor)
-        cursor.finish("one statement stands on a line, with no operators")
-        if cursor.next is not None:
-            self._add(Comment(text=cursor.next.text, line=token.line))
-        self._add(statement)
-
-    def _take_else(self, cursor: Cursor) -> None:
-        cursor.takes("else")
-        cursor.expect(":", "a recovery reads else: find('lime')")
-        line = cursor.number
-        if cursor.next is None:
-            refuse(line, "write the recovery on the same line: else: find('lime')")
-        call = read_call(cursor)
-        cursor.finish("one recovery stands on a line")
-        if self.ended:
-            return
-        last = self.body[-1] if self.body else None
-        if not isinstance(last, Assertion):
-            refuse(line, "else: follows an assertion; there is none above this line")
-        self._count(line)
-        self.body[-1] = replace(last, recovery=(*last.recovery, call))
-
-    def _add(self, statement: Statement) -> None:
-        if self.ended:
-            return
-        self._count(statement.line)
-        if isinstance(statement, Assertion):
-            self.statements += len(statement.recovery)
-        self.body.append(statement)
-
-    def _count(self, line: int) -> None:
-        self.statements += 1
-        if self.statements > MAX_STATEMENTS:
-            refuse(line, f"there are more than {MAX_STATEMENTS} statements; split the task")
+        self.called |= self.body.called
+        self.known = {**self.known, signature.name: signature}
+        self.helpers.append(
+            Helper(
+                name=signature.name,
+                parameters=signature.parameters,
+                body=body,
+                line=signature.line,
+            )
+        )
 
 
 def _check_import(cursor: Cursor) -> None:
     if not (cursor.takes("actions") and cursor.takes("import")):
         refuse(cursor.number, "only from actions import … is taken; remove other imports")
-
-
-def _function_name(cursor: Cursor) -> str:
-    name = cursor.take("name", "a function has a name, like def put_away():").text
-    cursor.expect("(", "a function reads def name():")
-    cursor.expect(")", "a plan takes no parameters: def name():")
-    cursor.expect(":", "a function reads def name():")
-    cursor.finish("the body stands on the lines below")
-    return name
-
-
-def _objects(cursor: Cursor) -> tuple[str, ...]:
-    cursor.takes("objects")
-    cursor.expect("=", "the object list reads objects = ['lime', 'bowl']")
-    cursor.expect("[", "the object list reads objects = ['lime', 'bowl']")
-    found: list[str] = []
-    cursor.skip_comments()
-    while not cursor.takes("]"):
-        found.append(cursor.take("string", "the list holds names in quotes").text)
-        cursor.skip_comments()
-        if not cursor.sees("]"):
-            cursor.expect(",", "names stand with commas between them")
-            cursor.skip_comments()
-    cursor.finish("the object list stands alone on its line")
-    return tuple(found)
-
-
-def _assertion(cursor: Cursor, line: int) -> Assertion:
-    condition = read_condition(cursor)
-    recovery = read_recovery(cursor) if cursor.takes(",") else ()
-    return Assertion(condition=condition, recovery=recovery, line=line)
-
-
-def _check_call(cursor: Cursor) -> None:
-    """A better message for what is Python, but no call of an action."""
-    token = cursor.line.tokens[0]
-    if token.kind == "name" and token.text in _FOREIGN:
-        refuse(token.line, f"{token.text} is not part of the plan language; write out the calls")
-    if token.kind == "name" and cursor.sees(".", distance=1):
-        refuse(token.line, "attributes are not part of the plan language; call an action by name")
-    if token.kind == "name" and cursor.sees("=", distance=1):
-        refuse(token.line, "only objects = [...] is assigned; write names in quotes in the calls")

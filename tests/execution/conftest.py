@@ -35,6 +35,9 @@ class SlipperyWorld:
     def facts(self):
         return frozenset(Relation("in", pair) for pair in self.inside.items())
 
+    def begin(self):
+        self.time = 0.0
+
     def settle(self):
         self.settled += 1
         self.time += 1.0

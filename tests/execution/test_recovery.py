@@ -29,6 +29,7 @@ def test_a_true_assertion_takes_no_recovery(slippery):
             condition=Relation("in", ("pear", "bowl")),
             holds=True,
             decider="world",
+            by_world=True,
             time=0.0,
         )
     ]

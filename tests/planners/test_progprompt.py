@@ -4,7 +4,7 @@ import pytest
 
 from app.domain.errors import Cancelled, CompletionFailed
 from app.domain.llm import Completion
-from app.domain.planner import Turn
+from app.domain.planner import Preambled, Turn
 from app.domain.program import ActionCall
 from app.domain.trace import CompletionContinued, CompletionGrew, PlanningStarted, PromptWritten
 from app.planners import planners
@@ -217,6 +217,7 @@ def test_whole_lines_are_kept_and_assertions_with_their_recoveries(text, kept):
 
 def test_the_prompt_begins_with_the_preamble(task):
     planner = planners["progprompt"]
+    assert isinstance(planner, Preambled)
     assert write_prompt(task()).startswith(planner.preamble("tabletop", task().actions))
 
 

@@ -1,5 +1,6 @@
 import pytest
 
+from app.domain.planner import PlannerOptions
 from app.domain.program import Assertion, Comment, Pass
 from app.domain.scene import Scene, SceneObject
 from app.programs.examples import ablate, choose_examples, load_examples
@@ -41,7 +42,10 @@ def test_a_world_without_examples_has_none():
 
 def test_so_many_examples_are_chosen_as_are_asked_for(grab_and_putin):
     for count in (0, 1, 3, 5):
-        assert choose_examples("tabletop", [grab_and_putin], count) == EXAMPLES[:count]
+        assert (
+            choose_examples("tabletop", [grab_and_putin], PlannerOptions(examples=count))
+            == EXAMPLES[:count]
+        )
 
 
 def test_an_ablated_example_keeps_its_calls():

@@ -3,7 +3,14 @@ from actions import grab_and_putin
 
 
 def put_the_lemon_in_the_cup_and_the_key_on_the_book():
-    objects = ['book', 'lemon', 'drill', 'key', 'cup', 'jar']
+    objects = {
+        'book': {'colour': 'blue'},
+        'lemon': {'category': 'fruit', 'colour': 'yellow'},
+        'drill': {'category': 'tool', 'colour': 'black'},
+        'key': {'colour': 'silver'},
+        'cup': {'category': 'vessel', 'colour': 'red', 'container': True},
+        'jar': {'category': 'vessel', 'container': True},
+    }
     # 1: put the lemon in the cup
     grab_and_putin('lemon', 'cup')
     assert 'lemon' in 'cup', grab_and_putin('lemon', 'cup')

@@ -3,7 +3,18 @@ from actions import grab_and_putin
 
 
 def put_the_vegetables_in_the_pot_and_the_mugs_on_the_tray():
-    objects = ['can', 'carrot', 'tape', 'red mug', 'pot', 'onion', 'jar', 'tray', 'blue mug', 'soap']
+    objects = {
+        'can': {'category': 'packaging', 'colour': 'red'},
+        'carrot': {'category': 'vegetable', 'colour': 'orange'},
+        'tape': {'colour': 'grey'},
+        'red mug': {'category': 'mug', 'colour': 'red'},
+        'pot': {'category': 'vessel', 'colour': 'black', 'container': True},
+        'onion': {'category': 'vegetable', 'colour': 'brown'},
+        'jar': {'category': 'vessel', 'container': True},
+        'tray': {'colour': 'white', 'container': True},
+        'blue mug': {'category': 'mug', 'colour': 'blue'},
+        'soap': {'colour': 'pink'},
+    }
     # 1: put the vegetables in the pot
     grab_and_putin('carrot', 'pot')
     assert 'carrot' in 'pot', grab_and_putin('carrot', 'pot')

@@ -3,7 +3,13 @@ from actions import grab_and_putin
 
 
 def clear_everything_but_the_glue_into_the_basket():
-    objects = ['brush', 'glue', 'basket', 'ruler', 'marker']
+    objects = {
+        'brush': {'category': 'tool', 'colour': 'brown'},
+        'glue': {'colour': 'white'},
+        'basket': {'colour': 'brown', 'container': True},
+        'ruler': {'category': 'tool', 'colour': 'yellow'},
+        'marker': {'category': 'pen', 'colour': 'green'},
+    }
     # 1: put everything but the glue in the basket
     grab_and_putin('brush', 'basket')
     assert 'brush' in 'basket', grab_and_putin('brush', 'basket')

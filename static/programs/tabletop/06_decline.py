@@ -3,6 +3,10 @@ from actions import grab_and_putin
 
 
 def set_the_teapot_on_the_saucer():
-    objects = ['saucer', 'sugar bowl', 'spoon']
+    objects = {
+        'saucer': {'category': 'crockery', 'colour': 'white', 'container': True},
+        'sugar bowl': {'category': 'crockery', 'colour': 'white', 'container': True},
+        'spoon': {'category': 'cutlery', 'colour': 'silver'},
+    }
     # 1: there is no teapot
     pass

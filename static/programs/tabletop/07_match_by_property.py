@@ -3,7 +3,13 @@ from actions import grab_and_putin
 
 
 def match_every_sock_to_the_drawer_of_its_colour():
-    objects = ['grey drawer', 'blue sock', 'grey sock', 'blue drawer', 'white drawer']
+    objects = {
+        'grey drawer': {'colour': 'grey', 'container': True},
+        'blue sock': {'category': 'clothing', 'colour': 'blue'},
+        'grey sock': {'category': 'clothing', 'colour': 'grey'},
+        'blue drawer': {'colour': 'blue', 'container': True},
+        'white drawer': {'colour': 'white', 'container': True},
+    }
     # 1: put the blue sock in the blue drawer
     grab_and_putin('blue sock', 'blue drawer')
     assert 'blue sock' in 'blue drawer', grab_and_putin('blue sock', 'blue drawer')

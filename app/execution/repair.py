@@ -1,0 +1,159 @@
+"""A plan tried where nothing slips: what a step's missing precondition calls for is put before it."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import assert_never
+
+from app.domain.condition import decide
+from app.domain.errors import ActionFailure
+from app.domain.plan import GroundedAssertion, GroundedBranch, GroundedCall, Plan, Step
+from app.domain.program import (
+    ActionCall,
+    Assertion,
+    Branch,
+    Comment,
+    Loop,
+    Pass,
+    Program,
+    Statement,
+)
+from app.domain.scene import Scene
+from app.domain.world import World
+from app.programs.unrolling import unroll
+
+MAX_ADDED = 20
+"""Calls put into one plan."""
+MAX_DEPTH = 4
+"""Remedies of remedies."""
+MAX_MISSING = 4
+"""Preconditions of one call that are brought about one after the other."""
+
+Ground = Callable[[Program], Plan]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Repair:
+    """A program with what it lacked."""
+
+    program: Program
+    """The program itself where nothing was lacking; else with its loops and helpers written out."""
+    added: tuple[ActionCall, ...] = ()
+    """The calls that were put in, in order."""
+
+
+def repair(program: Program, scene: Scene, perfect: World, ground: Ground) -> Repair:
+    """Run the program on a perfect executor, and put in what its steps lack.
+
+    Where a step fails for a precondition whose remedy the world knows, the remedy's calls are put
+    before it, under a comment with the reason. A step that no remedy helps stays as it is.
+
+    Args:
+        program: as it was parsed.
+        scene: which it is to be carried out in.
+        perfect: the scene in the perfect executor, where the program begins; it is used up.
+        ground: grounds a program in the scene.
+
+    Raises:
+        ProgramRefused: with its loops and helpers written out the program is too long.
+    """
+    repairing = _Repairing(perfect, ground)
+    body = tuple(repairing.walk(unroll(program, scene)))
+    if not repairing.added:
+        return Repair(program=program)
+    return Repair(program=replace(program, helpers=(), body=body), added=tuple(repairing.added))
+
+
+class _Repairing:
+    def __init__(self, world: World, ground: Ground) -> None:
+        self._world = world
+        self._ground = ground
+        self.added: list[ActionCall] = []
+
+    def walk(self, statements: Sequence[Statement]) -> list[Statement]:
+        """The statements with what they lack; of a branch only the side that is taken is seen to."""
+        found: list[Statement] = []
+        for statement in statements:
+            match statement:
+                case ActionCall():
+                    found += self._see_to(statement)
+                case Assertion():
+                    self._recover(statement)
+                    found.append(statement)
+                case Branch():
+                    found.append(self._side(statement))
+                case Comment() | Pass():
+                    found.append(statement)
+                case Loop():
+                    raise AssertionError("loops are unrolled before they are repaired")
+                case _:
+                    assert_never(statement)
+        return found
+
+    def _side(self, branch: Branch) -> Branch:
+        step = self._step(branch)
+        if not isinstance(step, GroundedBranch):
+            return branch
+        if decide(step.condition, self._world.holds):
+            return replace(branch, body=tuple(self.walk(branch.body)))
+        return replace(branch, otherwise=tuple(self.walk(branch.otherwise)))
+
+    def _recover(self, assertion: Assertion) -> None:
+        """Do what the assertion would have done."""
+        step = self._step(assertion)
+        if not isinstance(step, GroundedAssertion):
+            return
+        for call in step.recovery:
+            if decide(step.condition, self._world.holds):
+                return
+            if isinstance(call, GroundedCall):
+                self._perform(call)
+
+    def _see_to(self, call: ActionCall) -> list[Statement]:
+        before, added = self._world.save(), len(self.added)
+        found = self._with_remedies(call, MAX_DEPTH)
+        if found is None:
+            self._world.restore(before)
+            del self.added[added:]
+            return [call]
+        return found
+
+    def _with_remedies(self, call: ActionCall, depth: int) -> list[Statement] | None:
+        """The call with what has to come before it, done; None where nothing helps."""
+        step = self._step(call)
+        if not isinstance(step, GroundedCall):
+            return None
+        found: list[Statement] = []
+        for _ in range(MAX_MISSING):
+            failure = self._perform(step)
+            if failure is None:
+                return [*found, call]
+            remedy = self._remedy(failure, depth)
+            if remedy is None:
+                return None
+            found += [Comment(text=f"added, for {failure.reason}", line=call.line), *remedy]
+        return None
+
+    def _remedy(self, failure: ActionFailure, depth: int) -> list[Statement] | None:
+        if not failure.remedy or not depth or len(self.added) + len(failure.remedy) > MAX_ADDED:
+            return None
+        done: list[Statement] = []
+        for call in failure.remedy:
+            found = self._with_remedies(call, depth - 1)
+            if found is None:
+                return None
+            self.added.append(call)
+            done += found
+        return done
+
+    def _perform(self, call: GroundedCall) -> ActionFailure | None:
+        try:
+            for _ in self._world.perform(call.action, call.arguments):
+                pass
+        except ActionFailure as failure:
+            return failure
+        return None
+
+    def _step(self, statement: Statement) -> Step | None:
+        """The statement grounded; None where nothing is left of it."""
+        steps = self._ground(Program(name="step", body=(statement,))).steps
+        return steps[0] if steps else None

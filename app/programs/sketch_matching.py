@@ -1,0 +1,233 @@
+"""How well the words for a thing fit an object of the scene: by name, synonym, class, or a slip.
+
+The score says which kind of evidence there is; a better kind always wins over a worse one.
+"""
+
+import difflib
+from collections.abc import Sequence
+from functools import lru_cache
+
+from app.programs.knowledge.classes import (
+    HOLDERS,
+    UNREAL,
+    VAGUE,
+    ThingClass,
+    belonging,
+    classes,
+    endings,
+    normal,
+)
+from app.programs.knowledge.names import is_mark, plain, stem
+from app.programs.knowledge.synonyms import mean_the_same
+from app.programs.knowledge.wordnet import nouns
+from app.programs.sketch_phrase import Description
+from app.programs.sketch_things import Thing
+
+EXACT, SAME_WORDS, UNMARKED, HEAD, SYNONYM, MEMBER, KIND = 1.0, 0.98, 0.95, 0.92, 0.85, 0.8, 0.72
+WIDER, MODIFIER, LOOSE, SLIP = 0.62, 0.56, 0.52, 0.5
+COUNTS = 0.5
+"""From here on an object fits."""
+SETS = 0.7
+"""From here on it is a member of a set, whatever else fits better."""
+_SLIP = 0.78
+_SORTS = frozenset(["brick", "set", "piece", "unit", "toy", "stand", "pad", "station"])
+"""Heads of a name that say less than what stands before them."""
+_DISTRUSTED = frozenset(
+    (("scissors", "tool"), ("book", "stationery"), ("block", "toy"), ("ball", "toy"))
+)
+"""What a catalogue says of its kinds, but people would not."""
+
+
+def fit(thing: Thing, described: Description) -> float:
+    """How well the noun fits, 0 to 1, whatever the properties."""
+    if plain(thing.name).strip() == plain(described.text).strip():
+        return EXACT
+    if not thing.words:
+        return MEMBER if described.vague else 0.0
+    if described.vague and not described.whole:
+        return MEMBER
+    best = max(
+        (_words_fit(thing, core) for core in {described.whole, described.core} if core),
+        default=0.0,
+    )
+    if best < COUNTS and thing.english:
+        best = 0.9 * fit(thing.english, described)
+    return max(best, MEMBER) if described.vague else best
+
+
+def _words_fit(thing: Thing, core: tuple[str, ...]) -> float:
+    """The best kind of evidence that these words, head last, mean the thing."""
+    wanted = normal(" ".join(core))
+    if thing.words == core or normal(" ".join(thing.words)) == wanted:
+        return SAME_WORDS
+    if thing.unmarked == wanted or _without_numbers(core) == thing.words:
+        return UNMARKED
+    if all(each in VAGUE for each in core):
+        return 0.0
+    found = _known_fit(thing, wanted)
+    if found >= COUNTS or len(core) == 1:
+        return found
+    return max(found, _modified_fit(thing, core))
+
+
+def _known_fit(thing: Thing, wanted: str) -> float:
+    head = normal(thing.core[-1]) if thing.core else ""
+    if ends := _ends_with(thing.core, wanted):
+        return ends
+    names = tuple(endings(thing.core))
+    kind = find_class(wanted)
+    if kind and _member(thing, kind) >= COUNTS:
+        return MEMBER
+    if any(mean_the_same(each, wanted) for each in names[:1]):
+        return SYNONYM if kind is None else SETS - 0.01
+    if _declared(thing, wanted, kind):
+        return MEMBER
+    if mean_the_same(head, wanted) and _transparent(thing):
+        return SYNONYM - 0.01
+    if kind is None and _kind(names, wanted):
+        return KIND
+    return _loose_fit(thing, wanted, names)
+
+
+def _loose_fit(thing: Thing, wanted: str, names: Sequence[str]) -> float:
+    if nouns().kind_of(wanted, names[0]) >= 0.4 and not find_class(wanted):
+        return WIDER
+    if (wide := classes().find(names[0])) and belonging(wanted, wide) >= 0.8:
+        return WIDER
+    said, had = wanted.split(), [normal(each) for each in thing.words]
+    holds = normal(thing.core[-1]) in HOLDERS | _SORTS if thing.core else False
+    if set(said) <= set(had) and (holds or _holds(thing, wanted)):
+        return MODIFIER
+    stems, others = {stem(each) for each in said}, {stem(each) for each in thing.words}
+    if stems <= others and not (set(said) & set(had)):
+        return LOOSE
+    return 0.0
+
+
+def _holds(thing: Thing, wanted: str) -> bool:
+    """Whether it is a ``plate of cookies`` where cookies are wanted."""
+    return "of" in thing.words and normal(" ".join(thing.words)).endswith(f" of {wanted}")
+
+
+def _modified_fit(thing: Thing, core: tuple[str, ...]) -> float:
+    """The head fits; what stands before it must show in the name, or be unknown."""
+    for start in range(1, len(core)):
+        head = _known_fit(thing, normal(" ".join(core[start:])))
+        if head < COUNTS:
+            continue
+        shown = [_shows(thing, each) for each in core[:start] if not is_mark(each)]
+        if any(is_mark(each) for each in core[:start]) and not shown:
+            return 0.0
+        if shown and all(shown):
+            return min(head, HEAD) - 0.02
+        return min(head, WIDER) - 0.06 if head >= KIND else 0.0
+    return 0.0
+
+
+def _shows(thing: Thing, modifier: str) -> bool:
+    """Whether the name, the category or the class of the thing bears the modifier out."""
+    wanted = normal(modifier)
+    if wanted in {normal(each) for each in thing.words} or stem(modifier) in map(stem, thing.words):
+        return True
+    kind = find_class(f"{modifier} thing")
+    if kind and _member(thing, kind) >= COUNTS:
+        return True
+    return bool(thing.item.category and wanted in plain(thing.item.category).split())
+
+
+def _member(thing: Thing, kind: ThingClass) -> float:
+    named = belonging(thing.name, kind)
+    if named < COUNTS and not classes().knows(thing.unmarked):
+        described = thing.item.category
+        if described and described != "object":
+            named = max(named, _category(described, kind))
+    return named
+
+
+def _category(described: str, kind: ThingClass) -> float:
+    other = classes().find(described)
+    return 0.85 if other and other.name == kind.name else 0.85 * belonging(described, kind)
+
+
+def _declared(thing: Thing, wanted: str, kind: ThingClass | None) -> bool:
+    """Whether the scene says that it is one."""
+    described = thing.item.category
+    if not described or described == "object":
+        return False
+    head = normal(thing.core[-1]) if thing.core else ""
+    if (head, described) in _DISTRUSTED:
+        return False
+    if mean_the_same(normal(described), wanted):
+        return True
+    other = classes().find(described)
+    return bool(kind and other and kind.name == other.name)
+
+
+def _kind(names: Sequence[str], wanted: str) -> bool:
+    """Whether WordNet has the name, or its head, as a kind of what is wanted."""
+    for place, name in enumerate(names):
+        if nouns().kind_of(name, wanted) >= 0.4:
+            return True
+        if place == 0 and (classes().knows(name) or nouns().knows(name)) and " " in name:
+            return False
+    return False
+
+
+def _ends_with(core: tuple[str, ...], wanted: str) -> float:
+    """Whether the name's last words are these: a ``coffee mug`` is a mug, a ``football`` a ball."""
+    if not core:
+        return 0.0
+    name = normal(" ".join(core))
+    if name == wanted or name.endswith(f" {wanted}"):
+        kind = find_class(wanted)
+        return 0.0 if kind and name in kind.never else HEAD
+    head = name.split()[-1]
+    closed = head.endswith(wanted) and len(wanted) > 2 and len(head) > len(wanted)
+    kind = classes().find(wanted)
+    if closed and kind:
+        return (HEAD - 0.03) * (belonging(head, kind) >= COUNTS)
+    return (HEAD - 0.03) * (closed and nouns().kind_of(head, wanted) >= 0.3)
+
+
+def _transparent(thing: Thing) -> bool:
+    """Whether its name means what its head means, and is no likeness of it."""
+    return not (UNREAL & set(thing.core[:-1])) and not nouns().knows(" ".join(thing.core))
+
+
+def slip(thing: Thing, described: Description) -> float:
+    """How likely the words are the thing's name with a typing slip in them."""
+    core = described.core or described.whole
+    if not core or not thing.words:
+        return 0.0
+    if not any(misspelt(each) for each in core):
+        return 0.0
+    whole = _alike(" ".join(core), " ".join(thing.words))
+    last = max(_alike(core[-1], thing.words[-1]), _alike(core[-1], (thing.core or core)[-1]))
+    rest = (max(_alike(each, other) for other in thing.words) for each in core[:-1])
+    return max(whole, min((last, *rest)) - 0.02)
+
+
+def misspelt(word: str) -> bool:
+    """Whether no dictionary at hand knows the word."""
+    return not any(
+        known(each) for known in (nouns().knows, classes().knows) for each in (word, normal(word))
+    )
+
+
+def _alike(word: str, other: str) -> float:
+    if not misspelt(word) and word != other:
+        return 0.0
+    ratio = difflib.SequenceMatcher(None, word, other).ratio()
+    swapped = sorted(word) == sorted(other) and word[:1] == other[:1]
+    return max(ratio, 0.9) if swapped else ratio if ratio >= _SLIP else 0.0
+
+
+@lru_cache(maxsize=4096)
+def find_class(wanted: str) -> ThingClass | None:
+    """The class the words name."""
+    return classes().find(wanted)
+
+
+def _without_numbers(core: tuple[str, ...]) -> tuple[str, ...]:
+    numbers = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5", "six": "6"}
+    return (*core[:-1], numbers.get(core[-1], core[-1])) if len(core) > 1 else core

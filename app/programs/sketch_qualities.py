@@ -1,0 +1,134 @@
+"""Of the things a noun fits, those with the properties, sizes and places that are asked for."""
+
+from collections.abc import Iterable
+
+from app.programs.knowledge.names import plain
+from app.programs.sketch_phrase import Description, read_description
+from app.programs.sketch_things import LIKELY, Thing
+
+Fits = list[tuple[Thing, float]]
+"""Things, each with how well it fits."""
+
+
+AXES = {"left_of": (1, 1), "right_of": (1, -1), "behind": (0, 1), "in_front_of": (0, -1)}
+
+
+def has_properties(thing: Thing, described: Description) -> float:
+    """How surely it has the colours and materials asked for."""
+    checks = [
+        max(thing.has_colour(colour) for colour in described.colours)
+        for _ in range(bool(described.colours))
+    ]
+    checks += [
+        max(thing.has_material(material) for material in described.materials)
+        for _ in range(bool(described.materials))
+    ]
+    found = min(checks, default=1.0)
+    return LIKELY if 0.8 <= found < LIKELY else found
+
+
+def sized(kept: Fits, described: Description, many: bool) -> Fits:
+    """Those whose name or description tells the size asked for, else the larger or smaller ones."""
+    wanted = max(described.sizes, key=abs)
+    told = [(t, s) for t, s in kept if t.told_size() is not None]
+    if told:
+        alike = [(t, s) for t, s in told if _sign(t.told_size() or 0) == _sign(wanted)]
+        if len(alike) > 1 and abs(wanted) == 2:
+            alike = [(t, s) for t, s in alike if abs(t.told_size() or 0) == 2] or alike
+        return alike
+    measured = [(t, s, m) for t, s in kept if (m := t.measured()) is not None]
+    if len(measured) < 2:
+        return kept
+    ordered = sorted(measured, key=lambda each: each[2])
+    if not many:
+        place = -1 if wanted > 0 else 0 if wanted < 0 else len(ordered) // 2
+        return [ordered[place][:2]]
+    middle = (ordered[0][2] * ordered[-1][2]) ** 0.5
+    return [(t, s) for t, s, m in measured if _sign(m - middle) == _sign(wanted)]
+
+
+def extreme(kept: Fits, described: Description, many: bool) -> Fits:
+    """The one at the side, of the size or of the number in the row that is asked for."""
+    if len(kept) < 2:
+        return kept
+    if described.superlative:
+        return _most(kept, described.superlative)
+    if described.ordinal:
+        return _numbered(kept, described)
+    side = described.side or ""
+    said = {"left": ("left", "leftmost"), "right": ("right", "rightmost")}.get(
+        side, (side, "center", "centre") if side == "middle" else (side,)
+    )
+    named = [pair for pair in kept if set(said) & set(pair[0].words)]
+    if named:
+        return named
+    placed = [pair for pair in kept if pair[0].item.position]
+    if len(placed) < 2 or side in ("top", "bottom"):
+        return kept
+    axis = 1 if side in ("left", "right", "middle") else 0
+    ordered = sorted(placed, key=lambda pair: stands(pair[0])[axis])
+    if side == "middle":
+        return [ordered[len(ordered) // 2]]
+    if many:
+        middle = (stands(ordered[0][0])[axis] + stands(ordered[-1][0])[axis]) / 2
+        up = side in ("left", "far")
+        return [pair for pair in placed if (stands(pair[0])[axis] > middle) == up]
+    return [ordered[-1 if side in ("left", "far") else 0]]
+
+
+def _most(kept: Fits, sign: int) -> Fits:
+    told = [(t, s) for t, s in kept if t.told_size() is not None]
+    if told and len({t.told_size() for t, _ in kept}) > 1:
+        best = max(sign * (t.told_size() or 0) for t, _ in kept)
+        return [(t, s) for t, s in kept if sign * (t.told_size() or 0) == best]
+    measured = [(t, s, m) for t, s in kept if (m := t.measured()) is not None]
+    if not measured:
+        return kept
+    best = max(sign * m for _, _, m in measured)
+    return [(t, s) for t, s, m in measured if sign * m == best]
+
+
+def _numbered(kept: Fits, described: Description) -> Fits:
+    placed = [pair for pair in kept if pair[0].item.position]
+    if len(placed) == len(kept):
+        left = described.ordinal_from == "left"
+        kept = sorted(placed, key=lambda pair: stands(pair[0])[1], reverse=left)
+    else:
+        kept = sorted(kept, key=lambda pair: pair[0].words)
+    place = described.ordinal - 1 if described.ordinal > 0 else -1
+    return [kept[place]] if place < len(kept) else []
+
+
+def ordered(things: Iterable[Thing], order: str | None) -> list[Thing]:
+    """The things in the order that is asked for; the scene's where none is, or none can be told."""
+    found = list(things)
+    if not order:
+        return found
+    said = read_description(f"{order} x")
+    wanted = plain(order)
+    if "left to right" in wanted or "right to left" in wanted:
+        reverse = wanted.index("left") < wanted.index("right")
+        return sorted(found, key=lambda t: stands(t)[1], reverse=reverse)
+    sign = said.superlative or max(said.sizes, default=0, key=abs)
+    if not sign:
+        return found
+    if all(thing.told_size() is not None for thing in found):
+        return sorted(found, key=lambda t: -sign * (t.told_size() or 0))
+    if any(thing.told_size() is not None for thing in found):
+        return sorted(found, key=lambda t: -sign * (t.told_size() or 0))
+    if all(thing.measured() is not None for thing in found):
+        return sorted(found, key=lambda t: -sign * (t.measured() or 0.0))
+    return found
+
+
+def stands(thing: Thing) -> tuple[float, float, float]:
+    return thing.item.position or (0.0, 0.0, 0.0)
+
+
+def distance(thing: Thing, here: tuple[float, float, float]) -> float:
+    x, y, _ = stands(thing)
+    return (x - here[0]) ** 2 + (y - here[1]) ** 2
+
+
+def _sign(value: float) -> int:
+    return (value > 0) - (value < 0)

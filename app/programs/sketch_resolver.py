@@ -1,0 +1,51 @@
+"""Sketch + task → the statements of a program, or the reason why there is none."""
+
+from app.domain.planner import Task
+from app.domain.program import ActionCall, Comment, Statement
+from app.programs.sketch import Sketch
+from app.programs.sketch_composer import Composer
+from app.programs.sketch_dialogue import moved_before
+from app.programs.sketch_selection import Judge, Selection
+from app.programs.sketch_things import read_things
+
+FAILED_LAST = 1
+"""Place of what failed before in the order things are chosen in: behind all others."""
+
+
+def resolve(
+    sketch: Sketch, task: Task, judge: Judge | None = None
+) -> tuple[tuple[Statement, ...], float]:
+    """The program's statements over the scene's names, and how sure they are, 0 to 1.
+
+    Where it replaces a plan that failed, what is done already is left out, and of things that are
+    as good as each other those are taken that did not fail.
+
+    Raises:
+        TaskDeclined: something is absent, ambiguous, impossible or hazardous.
+        ProgramRefused: the sketch uses a verb that is not on offer, or wrongly.
+    """
+    things = read_things(task.scene.objects)
+    if task.failed is not None:
+        told = task.failed.outcome
+        things = tuple(sorted(things, key=lambda thing: FAILED_LAST * (thing.name in told)))
+    earlier = moved_before(task.history)
+    selection = Selection(things, task.facts, task.instruction.text, judge, earlier)
+    composed = Composer(selection, task.actions, going_on=task.failed is not None).compose(sketch)
+    body = composed.body
+    if task.failed is not None:
+        body = _left(body, selection) or body
+    return body, composed.sureness
+
+
+def _left(body: tuple[Statement, ...], selection: Selection) -> tuple[Statement, ...]:
+    """Without the calls whose effect is there already; none where nothing is left to do."""
+    kept = tuple(
+        each
+        for each in body
+        if not (
+            isinstance(each, ActionCall)
+            and len(each.arguments) == 2
+            and selection.rests(str(each.arguments[0]), str(each.arguments[1]))
+        )
+    )
+    return kept if any(not isinstance(each, Comment) for each in kept) else ()

@@ -1,0 +1,313 @@
+"""Words → objects: which of the scene's things a phrase means, or why none can be told."""
+
+import re
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
+
+from app.domain.condition import Relation
+from app.domain.errors import TaskDeclined
+from app.programs.knowledge.classes import VAGUE, belonging, classes
+from app.programs.knowledge.languages import in_english
+from app.programs.knowledge.names import is_mark, words
+from app.programs.knowledge.word_lists import word_list
+from app.programs.sketch import Phrase
+from app.programs.sketch_matching import (
+    COUNTS,
+    EXACT,
+    HEAD,
+    SETS,
+    SLIP,
+    find_class,
+    fit,
+    misspelt,
+    slip,
+)
+from app.programs.sketch_phrase import Description, describe_phrase, spoken_of
+from app.programs.sketch_qualities import (
+    AXES,
+    Fits,
+    distance,
+    extreme,
+    has_properties,
+    sized,
+    stands,
+)
+from app.programs.sketch_things import LIKELY, UNKNOWN, Thing, listed
+
+Judge = Callable[[str, Sequence[str]], Sequence[float]]
+"""For words that no knowledge at hand covers: how like each name is to them, up to 1."""
+ALIKE, ALIKE_MARGIN = 0.45, 0.05
+"""Likeness of meaning, a cosine, from which words are taken to mean a thing."""
+PRONOUNS = word_list("pronouns")
+_INDEFINITE = (
+    r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
+    r"(?: of the| of these| of those| single| of)?"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What a phrase means, and how sure that is."""
+
+    things: tuple[Thing, ...]
+    sureness: float
+
+
+class Selection:
+    """Looks phrases up among the things of one scene."""
+
+    def __init__(
+        self,
+        things: Sequence[Thing],
+        facts: frozenset[Relation],
+        sentence: str,
+        judge: Judge | None = None,
+        earlier: Sequence[str] = (),
+    ) -> None:
+        self.things = things
+        self.facts = facts
+        self.sentence = sentence
+        self._judge = judge
+        self.earlier = tuple(earlier)
+        """Names of what the turn before moved."""
+        self.spoken: set[str] = set()
+        """Names of what this sentence spoke of so far."""
+
+    def one(self, phrase: Phrase, without: Collection[str] = (), *, holds: bool = False) -> Found:
+        """The object that the words mean; ``holds`` where something is put into it.
+
+        Raises:
+            TaskDeclined: nothing fits, or several fit equally well.
+        """
+        found = self._fitting(phrase, without)
+        if not found:
+            raise self.absent(phrase.text)
+        best = max(score for _, score in found)
+        if holds and best < HEAD - 0.05:
+            found = [pair for pair in found if is_container(pair[0])] or found
+            best = max(score for _, score in found)
+        equal = [thing for thing, score in found if score >= best - 0.015]
+        if len(equal) > 1 and holds:
+            equal = [thing for thing in equal if is_container(thing)] or equal
+        equal = self._twins(equal, phrase, found, best)
+        if len(equal) > 1 and not self.indefinite(phrase.text):
+            raise self.ambiguous(phrase.text, equal)
+        return Found((equal[0],), best)
+
+    def all(self, phrase: Phrase, without: Collection[str] = ()) -> Found:
+        """Every object that the words mean, in the scene's order.
+
+        Raises:
+            TaskDeclined: nothing fits.
+        """
+        found = self._fitting(phrase, without)
+        if not found:
+            raise self.absent(phrase.text)
+        best = max(score for _, score in found)
+        basic = find_class(" ".join(describe_phrase(phrase).core)) is None
+        least = HEAD - 0.05 if best >= HEAD - 0.05 and basic else min(SETS, best - 0.03)
+        kept = tuple(thing for thing, score in found if score >= least)
+        return Found(kept, best)
+
+    def possible(self, phrase: Phrase, without: Collection[str] = ()) -> bool:
+        """Whether anything fits at all."""
+        return bool(self._fitting(phrase, without))
+
+    def indefinite(self, text: str) -> bool:
+        """Whether the sentence speaks of any one of several: "a cup", "one of the cups"."""
+        spoken = r"\s+".join(map(re.escape, text.split()))
+        return bool(re.search(rf"\b{_INDEFINITE}\s+{spoken}", self.sentence, re.I))
+
+    def absent(self, text: str) -> TaskDeclined:
+        """Nothing in the scene fits."""
+        names = listed([thing.name for thing in self.things]) or "nothing"
+        return TaskDeclined(
+            f"there is no {text} here, only {names}",
+            kind="absent",
+            question=f"What do you mean by {text!r}?",
+        )
+
+    def ambiguous(self, text: str, equal: Sequence[Thing]) -> TaskDeclined:
+        """Several objects fit equally well."""
+        names = [thing.name for thing in equal]
+        return TaskDeclined(
+            f"{text!r} could be {listed(names, 'or')}",
+            kind="ambiguous",
+            question=f"Which {text} do you mean: {listed(names, 'or')}?",
+            choices=tuple(self._said_with(text, name) for name in names[:6]),
+        )
+
+    def _said_with(self, text: str, name: str) -> str:
+        """The sentence with the object's own name in place of the words."""
+        spoken = r"\s+".join(map(re.escape, text.split()))
+        clear, times = re.subn(rf"\b{spoken}\b", lambda _: name, self.sentence, count=1, flags=re.I)
+        return clear if times else f"{self.sentence} ({text}: {name})"
+
+    def _twins(
+        self,
+        equal: list[Thing],
+        phrase: Phrase,
+        found: Sequence[tuple[Thing, float]],
+        best: float,
+    ) -> list[Thing]:
+        """With the look-alikes of the one called exactly so: "cup" where there is a "cup 2"."""
+        if len(equal) != 1 or not best > 0.97 or is_mark(equal[0].words[-1]):
+            return equal
+        if describe_phrase(phrase).side or describe_phrase(phrase).ordinal:
+            return equal
+        return [
+            thing
+            for thing, _ in found
+            if thing is equal[0]
+            or (
+                len(thing.words) == len(equal[0].words) + 1
+                and thing.words[:-1] == equal[0].words
+                and thing.words[-1].isdigit()
+                and thing.name.lower()
+                == f"{equal[0].name.lower()}{thing.name[len(equal[0].name)]}{thing.words[-1]}"
+            )
+        ]
+
+    def _fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
+        phrase = spoken_of(phrase, self.sentence)
+        described = describe_phrase(phrase)
+        if found := self._referred(described, without):
+            return found
+        if described.other:
+            without = {*without, *(self.spoken or self.earlier)}
+        nouns = self._nouns(described, phrase, without)
+        found = self._qualified(described, nouns, phrase.quantity == "all")
+        if not found and (english := in_english(phrase.text, surely=False)):
+            found = self._named(replace(phrase, text=english), without)
+        if not found:
+            found = self._qualified(described, self._slips(described, without), False)
+        if not found and not nouns:
+            found = self._qualified(described, self._judged(described, without), False)
+        return found
+
+    def _nouns(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:
+        """What the noun fits, whatever else is asked for."""
+        found = [
+            (thing, score)
+            for thing in self.things
+            if thing.name not in without and (score := fit(thing, described)) >= COUNTS
+        ]
+        if described.vague and phrase.quantity == "one" and self.earlier:
+            return self._alike(found) or found
+        return found
+
+    def _named(self, phrase: Phrase, without: Collection[str]) -> Fits:
+        described = describe_phrase(phrase)
+        nouns = self._nouns(described, phrase, without)
+        return self._qualified(described, nouns, phrase.quantity == "all")
+
+    def _referred(self, described: Description, without: Collection[str]) -> Fits:
+        """What "it" and "them" stand for: what the turn before moved."""
+        if described.text.lower() not in PRONOUNS:
+            return []
+        return [
+            (thing, EXACT)
+            for thing in self.things
+            if thing.name in self.earlier and thing.name not in without
+        ]
+
+    def _alike(self, found: Sequence[tuple[Thing, float]]) -> Fits:
+        """Those of the kind that was spoken of before: "the blue one" after a block is a block."""
+        heads = {
+            thing.core[-1] for thing in self.things if thing.name in self.earlier and thing.core
+        }
+        return [pair for pair in found if pair[0].core and pair[0].core[-1] in heads]
+
+    def _slips(self, described: Description, without: Collection[str]) -> Fits:
+        scored = [
+            (thing, slip(thing, described)) for thing in self.things if thing.name not in without
+        ]
+        best = max((score for _, score in scored), default=0.0)
+        return [(t, SLIP + 0.1 * score) for t, score in scored if score and score >= best - 0.03]
+
+    def _judged(self, described: Description, without: Collection[str]) -> Fits:
+        """By likeness of meaning, for descriptions and for words that no knowledge covers."""
+        free = [thing for thing in self.things if thing.name not in without]
+        open_ = set(described.whole) & VAGUE or all(map(misspelt, described.core))
+        if self._judge is None or not free or not described.core or not open_:
+            return []
+        scores = self._judge(described.text, [thing.name for thing in free])
+        best = max(scores)
+        return [
+            (thing, COUNTS)
+            for thing, score in zip(free, scores, strict=True)
+            if score >= ALIKE and score >= best - ALIKE_MARGIN
+        ]
+
+    def _qualified(self, described: Description, found: Fits, many: bool) -> Fits:
+        """Those of the found ones that have what else the phrase asks for."""
+        exact = [pair for pair in found if pair[1] >= 0.97]
+        if exact and not many and not described.relations:
+            return found
+        called = (
+            {thing.name for thing, _ in exact} if described.whole != described.core else set[str]()
+        )
+        kept = [
+            (thing, score * sure)
+            for thing, score in found
+            if (sure := 1.0 if thing.name in called else has_properties(thing, described)) >= LIKELY
+        ]
+        if not kept and not (many and (described.colours or described.materials)):
+            kept = [(t, s * p) for t, s in found if (p := has_properties(t, described)) >= UNKNOWN]
+        if described.sizes:
+            kept = sized(kept, described, many)
+        for key, other in described.relations:
+            kept = self._related(kept, key, other)
+        for excluded in described.excluded:
+            kept = self._excluding(kept, excluded)
+        if described.side or described.superlative or described.ordinal:
+            kept = extreme(kept, described, many)
+        return kept
+
+    def _excluding(self, kept: Fits, excluded: Description) -> Fits:
+        phrase = Phrase(text=excluded.text, quantity="all")
+        out = {thing.name for thing, _ in self._fitting(phrase, ())}
+        if not excluded.vague:
+            names = [t.name for t, _ in self._fitting(phrase, ()) if _ >= SETS]
+            out = set(names) or out
+        return [(thing, score) for thing, score in kept if thing.name not in out]
+
+    def _related(self, kept: Fits, key: str, other: str) -> Fits:
+        """Those that stand so to the other thing."""
+        anchors = self._fitting(Phrase(text=_bare(other)), ())
+        best = max((score for _, score in anchors), default=0.0)
+        anchors = [pair for pair in anchors if pair[1] >= best - 0.015]
+        if len(anchors) != 1:
+            return kept
+        anchor = anchors[0][0]
+        kept = [pair for pair in kept if pair[0] is not anchor]
+        if key in ("inside", "on"):
+            return [pair for pair in kept if self.rests(pair[0].name, anchor.name)] or kept
+        here = anchor.item.position
+        placed = [(t, s) for t, s in kept if t.item.position]
+        if here is None or not placed:
+            return kept
+        if key == "near":
+            return [min(placed, key=lambda pair: distance(pair[0], here))]
+        axis, sign = AXES[key]
+        beyond = [(t, s) for t, s in placed if sign * (stands(t)[axis] - here[axis]) > 0.005]
+        return beyond
+
+    def rests(self, name: str, place: str) -> bool:
+        """Whether the one is in or on the other."""
+        return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
+
+
+def is_container(thing: Thing) -> bool:
+    """Whether things are put into or onto it as a rule."""
+    if thing.item.container:
+        return True
+    return any(
+        belonging(thing.name, classes().named(kind)) >= COUNTS
+        for kind in ("container", "dish", "furniture", "cookware")
+    )
+
+
+def _bare(text: str) -> str:
+    found = words(text)
+    return text if not found else re.sub(r"^(?:the|a|an|my|your)\s+", "", text, flags=re.I)

@@ -1,0 +1,52 @@
+"""What "everything" and "the cutlery" take in: which things count among a set nobody lists."""
+
+from collections.abc import Sequence
+
+from app.programs.knowledge.classes import belonging, classes, normal
+from app.programs.knowledge.names import words
+from app.programs.knowledge.word_lists import word_list
+from app.programs.sketch import Phrase
+from app.programs.sketch_selection import Selection, is_container
+from app.programs.sketch_things import Thing
+
+COLLECTIVE = word_list("collective")
+"""Words that stand for all of a kind without a plural."""
+_STORING = word_list("storing")
+_SERVING = ("bowl", "plate", "dish", "platter")
+
+
+def is_plural(phrase: Phrase) -> bool:
+    found = words(phrase.text)
+    return phrase.quantity == "one" and bool(found) and normal(found[-1]) != found[-1]
+
+
+def movable(found: Sequence[Thing], selection: Selection) -> list[Thing]:
+    """What "everything" means: no furniture, and nothing that stands there to be filled."""
+    kept = [t for t in found if not _stores(t)]
+    serving = [t for t in kept if t.core and normal(t.core[-1]) in _SERVING]
+    others = [t for t in kept if t not in serving]
+    crockery = [t for t in others if _is(t, "dish") or _is(t, "cutlery")]
+    if serving and others and not crockery:
+        kept = others
+    held = {t.name for t in kept if any(selection.rests(t.name, other.name) for other in kept)}
+    return [t for t in kept if t.name not in held] or list(kept)
+
+
+def _stores(thing: Thing) -> bool:
+    if not thing.core:
+        return False
+    head = normal(thing.core[-1])
+    if head == "can":
+        return _is(thing, "container") and thing.unmarked in (
+            "trash can",
+            "garbage can",
+            "waste can",
+        )
+    if head in ("case", "bag", "box") and not is_container(thing):
+        return False
+    food = _is(thing, "food") or _is(thing, "drink") or _is(thing, "stationery")
+    return (head in _STORING or _is(thing, "furniture")) and not food
+
+
+def _is(thing: Thing, kind: str) -> bool:
+    return belonging(thing.name, classes().named(kind)) >= 0.5

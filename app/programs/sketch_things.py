@@ -1,0 +1,122 @@
+"""The scene's objects as phrases can speak of them: names taken apart, properties as words."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from app.domain.scene import SceneObject
+from app.programs.knowledge.classes import head_first, normal
+from app.programs.knowledge.languages import in_english
+from app.programs.knowledge.names import is_mark, plain, words
+from app.programs.knowledge.properties import (
+    MATERIALS,
+    SIZES,
+    colour_word,
+    colours_named,
+    made_of,
+    materials_named,
+    size_named,
+    typical_colours,
+    typical_size,
+)
+
+YES, LIKELY, UNKNOWN, NO = 1.0, 0.9, 0.5, 0.0
+"""How surely a thing has a property."""
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """One object of the scene."""
+
+    item: SceneObject
+    words: tuple[str, ...]
+    """All words of its name."""
+    unmarked: str
+    """Its name as ``normal`` makes it, without what only tells look-alikes apart."""
+    core: tuple[str, ...]
+    """The words up to its head noun."""
+    english: "Thing | None" = None
+    """What its name says, read as another language's, where it could be English too."""
+
+    @property
+    def name(self) -> str:
+        """As the scene has it."""
+        return self.item.name
+
+    def property(self, key: str) -> str | None:
+        """What its description says of it."""
+        return next((value for name, value in self.item.properties if name == key), None)
+
+    def has_colour(self, colour: str) -> float:
+        """How surely it has the colour: by its name, its description, or as a rule."""
+        named = colours_named(self.name)
+        if named:
+            return YES if colour in named else NO
+        told = self.item.colour or self.property("colour") or self.property("color")
+        typical = typical_colours(self.name)
+        if told and (colour_word(told) == colour or colour in words(told)):
+            return YES
+        if colour in typical:
+            return LIKELY
+        return NO if told or typical else UNKNOWN
+
+    def colours(self) -> frozenset[str]:
+        """The colours it is sure to have, as far as anything tells."""
+        named = colours_named(self.name)
+        if named:
+            return named
+        told = self.item.colour or self.property("colour") or self.property("color")
+        return frozenset((colour_word(told),)) if told else typical_colours(self.name)
+
+    def has_material(self, material: str) -> float:
+        """How surely it is made of the material."""
+        named = materials_named(self.name)
+        if named:
+            return YES if material in named else NO
+        if told := self.property("material"):
+            return YES if MATERIALS.get(plain(told), plain(told)) == material else NO
+        return max(made_of(self.name, material), 0.2)
+
+    def materials(self) -> frozenset[str]:
+        """The materials its name or its description tells."""
+        told = self.property("material")
+        extra = {MATERIALS.get(plain(told), plain(told))} if told else set[str]()
+        return materials_named(self.name) or frozenset(extra)
+
+    def told_size(self) -> int | None:
+        """How large its name or its description says it is."""
+        told = self.property("size")
+        return size_named(self.name) if told is None else SIZES.get(plain(told))
+
+    def measured(self) -> float | None:
+        """A number that grows with its size; only for comparing things told of alike."""
+        if self.item.size:
+            return self.item.size[0] * self.item.size[1] * self.item.size[2]
+        return typical_size(self.name)
+
+
+def read_things(objects: Iterable[SceneObject]) -> tuple[Thing, ...]:
+    """Every object of the scene, in its order."""
+    return tuple(_thing(item) for item in objects)
+
+
+def _thing(item: SceneObject) -> Thing:
+    spoken = in_english(item.name) or item.name
+    other = in_english(item.name, surely=False)
+    read = _read(item, other) if other and other != spoken else None
+    return replace(_read(item, spoken), english=read)
+
+
+def _read(item: SceneObject, spoken: str) -> Thing:
+    found = words(spoken)
+    unmarked = found
+    while len(unmarked) > 1 and is_mark(unmarked[-1]):
+        unmarked = unmarked[:-1]
+    return Thing(item, found, normal(" ".join(unmarked)), head_first(spoken))
+
+
+def listed(names: Sequence[str], word: str = "and") -> str:
+    """``a, b and c``."""
+    shown = [name if len(name) <= 60 else f"{name[:60]}…" for name in names[:12]]
+    if len(names) > 12:
+        return f"{', '.join(shown)} and {len(names) - 12} more"
+    return f" {word} ".join([", ".join(shown[:-1]), shown[-1]] if len(shown) > 1 else shown)
