@@ -18,8 +18,10 @@ from app.domain.trace import Checkpoint, ExecutionEvent, Happening, Tick, Trace
 from app.domain.world import World, WorldDescription
 from app.execution.assertion import StateCheck
 from app.execution.interpreter import execute
+from app.execution.repair import repair
 from app.programs.grounding import ground
 from app.programs.parser import parse_program
+from app.programs.printer import print_program
 from app.scores import scores
 from app.worlds import worlds
 
@@ -51,9 +53,21 @@ def plan_task(
         ProgramRefused: what was written is outside the plan language.
         Cancelled: ``report`` asked for it.
     """
+    world = worlds[task.scene.world]
     draft = planner.write_program(replace(task, rehearsal=rehearsal), model, report)
-    program, plan = understand(draft.program, task.scene, worlds[task.scene.world])
-    return Planned(draft=draft, text=draft.program, program=program, plan=plan)
+    text = draft.program
+    program, plan = understand(text, task.scene, world)
+    if task.options.repair:
+        mended = repair(
+            program,
+            task.scene,
+            rehearsal(),
+            lambda some: ground(some, task.scene, task.actions, world.relations),
+        )
+        if mended.added:
+            text = print_program(mended.program)
+            program, plan = understand(text, task.scene, world)
+    return Planned(draft=draft, text=text, program=program, plan=plan)
 
 
 def understand(text: str, scene: Scene, world: WorldDescription) -> tuple[Program, Plan]:

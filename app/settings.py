@@ -51,6 +51,8 @@ class Settings:
     """Local models kept open at the same time; the one longest unused is closed for another."""
     scripted: Path | None = None
     """File of canned completions for the model ``scripted``."""
+    household_data: Path | None = None
+    """A folder with the graphs ``env0.json`` … that the household's environments then stand for."""
     planning_workers: int = 1
     simulation_workers: int = 1
 

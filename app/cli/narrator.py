@@ -99,6 +99,8 @@ def _line(kind: str, event: dict[str, Any]) -> str | None:  # noqa: C901 - one c
             return (
                 f"{at}[yellow]skipped[/yellow] {escape(event['text'])}: {escape(event['reason'])}"
             )
+        case "branch_decided":
+            return f"{at}if {escape(event['condition'])}: {'yes' if event['holds'] else 'no'}"
         case "recovery_taken":
             return f"{at}  recovering"
         case _:

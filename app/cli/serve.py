@@ -34,6 +34,11 @@ SHUTDOWN_LIMIT = 1  # [s] that open event streams are given
     help="Where everything is kept.  [default: ~/.local/share/progprompt]",
 )
 @click.option("--model", help="What the model 'default' stands for, loaded at start.")
+@click.option(
+    "--household-data",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    help="Folder of the graphs env0.json … to use instead of our own homes.",
+)
 @click.option("--planning-workers", type=click.IntRange(0, 64), help="[default: 1]")
 @click.option("--simulation-workers", type=click.IntRange(0, 64), help="[default: 1]")
 def command(**given: object) -> None:

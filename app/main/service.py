@@ -6,12 +6,12 @@ from app.api.app import create_app
 from app.api.parts import Parts
 from app.api.rollouts import StoredRollout
 from app.main.models import llm_config
+from app.main.worlds import furnish
 from app.settings import Settings
 from app.storage.database import Database
 from app.storage.handover import Handover
 from app.storage.jobs import Jobs
 from app.view.viewer import Viewer
-from app.worlds import worlds
 
 
 def create_service(settings: Settings) -> FastAPI:
@@ -25,6 +25,6 @@ def create_service(settings: Settings) -> FastAPI:
         llm=llm_config(settings),
         default_model=settings.model,
     )
-    len(worlds)  # Loads them now, so that the first request does not wait for it.
+    furnish(settings)
     viewer = Viewer(lambda execution_id: StoredRollout(database, execution_id))
     return create_app(parts, viewer)

@@ -3,12 +3,14 @@
 from app.domain.planner import Preambled
 from app.domain.scene import Scene
 from app.main.models import llm_config
+from app.main.worlds import furnish
 from app.planners import planners
 from app.rollout import offered
 from app.settings import Settings
 from app.storage.database import Database
 from app.storage.handover import Handover
 from app.storage.jobs import Jobs, Queue
+from app.worker.evaluating import Evaluating, SharedDesk
 from app.worker.models import Models
 from app.worker.planning import Planning
 from app.worker.process import WorkerProcess
@@ -19,10 +21,12 @@ from app.worlds import worlds
 def create_worker(settings: Settings, queue: Queue, worker_id: str) -> WorkerProcess:
     """A worker for one queue."""
     database = Database(settings.database)
-    handover = Handover(Jobs(database))
+    jobs = Jobs(database)
+    handover = Handover(jobs)
+    furnish(settings)
+    models = Models(llm_config(settings), settings.model)
     if queue == "planning":
-        models = Models(llm_config(settings), settings.model)
-        desk = Planning(database, handover, models)
+        desk = SharedDesk(Planning(database, handover, models), Evaluating(database, jobs, models))
         model, preamble = _expected(settings)
         prepare = [
             _load_worlds,
@@ -30,7 +34,7 @@ def create_worker(settings: Settings, queue: Queue, worker_id: str) -> WorkerPro
             lambda: models.warm(model, preamble),
         ]
     else:
-        desk = Simulation(database, handover)
+        desk = Simulation(database, handover, models)
         prepare = [_load_worlds]
     return WorkerProcess(database, queue, worker_id, desk=desk, prepare=prepare)
 

@@ -1,13 +1,17 @@
 """Simulation: the workflow that carries a program out in its world and scores it."""
 
 import logging
+from collections.abc import Callable
 from typing import Any
 
 from app.domain.errors import Cancelled, ProgPromptError
 from app.domain.goal import Goal
+from app.domain.llm import LanguageModel
 from app.domain.perception import Perception
 from app.domain.trace import Trace
 from app.domain.world import World
+from app.execution.assertion import StateCheck, state_check
+from app.planners import planners
 from app.programs.conditions import parse_condition
 from app.rollout import carry_out, score
 from app.storage import events, executions, plans
@@ -29,9 +33,16 @@ log = logging.getLogger(__name__)
 class Simulation:
     """What a worker of the simulation queue does."""
 
-    def __init__(self, database: Database, handover: Handover) -> None:
+    def __init__(
+        self,
+        database: Database,
+        handover: Handover,
+        open_model: Callable[[str, str], LanguageModel],
+    ) -> None:
+        """A desk; ``open_model`` gets the name a plan asks for, and the one to prefer."""
         self._database = database
         self._handover = handover
+        self._open_model = open_model
 
     def __call__(self, execution_id: str, /) -> None:
         """Carry it out. Whatever goes wrong ends as a failed execution with its reason."""
@@ -73,7 +84,8 @@ class Simulation:
         plan, world = steps_of(row), self._standing(row)
         goal = Goal(tuple(parse_condition(text) for text in asked.goal))
         recorder = ExecutionRecorder(self._database, row, world)
-        carry_out(plan, goal, world, recorder.record, start=row.next_step)
+        decider = self._decider(row, asked)
+        carry_out(plan, goal, world, recorder.record, start=row.next_step, decider=decider)
         recorder.end()
         with self._database.reading() as session:
             trace = Trace(events=tuple(events.of_execution(session, row.id)))
@@ -91,6 +103,14 @@ class Simulation:
             if row.next_step == 0:
                 world.begin()
         return world
+
+    def _decider(self, row: ExecutionRow, asked: PlanRow) -> StateCheck:
+        """Who decides assertions; the model is loaded only where it is asked."""
+        who = row.options.get("state_check", "world")
+        if who == "world":
+            return state_check(who)
+        name = asked.planner.get("model", "default")
+        return state_check(who, self._open_model(name, planners["progprompt"].model))
 
     def _end(self, execution_id: str, ended: Outcome) -> None:
         values: dict[str, Any] = {

@@ -34,7 +34,11 @@ function words(event) {
     case "call_skipped":
       return ["warn", `Skipped ${event.text}`, event.reason];
     case "assertion_checked":
-      return [event.holds ? "good" : "warn", `Asserted ${event.condition}: ${event.holds ? "true" : "false"}`];
+      return [event.holds ? "good" : "warn", `Asserted ${event.condition}: ${event.holds ? "true" : "false"}${event.agree === false ? ", the model thinks otherwise" : ""}`];
+    case "branch_decided":
+      return ["", `If ${event.condition}: ${event.holds ? "yes" : "no"}`];
+    case "completion_continued":
+      return ["soft", "Cut off; the model goes on from the last whole line"];
     case "recovery_taken":
       return ["warn", event.calls ? `Recovering, ${count(event.calls, "call")}` : "There is no recovery for it"];
     case "goal_checked":

@@ -2,7 +2,7 @@
 
 import { byId, h } from "./dom.js";
 
-const TOKEN = /(#.*$)|('(?:\\.|[^'\\])*'|"(?:\\.|[^"\\])*")|\b(def|assert|pass|not|else|import|from|and|or|return)\b|([A-Za-z_]\w*)(?=\()|([^#'"A-Za-z_]+|[A-Za-z_]\w*|.)/gm;
+const TOKEN = /(#.*$)|('(?:\\.|[^'\\])*'|"(?:\\.|[^"\\])*")|\b(def|assert|pass|not|else|for|if|import|from|and|or|return)\b|([A-Za-z_]\w*)(?=\()|([^#'"A-Za-z_]+|[A-Za-z_]\w*|.)/gm;
 const CLASSES = ["comment", "string", "keyword", "call"];
 const MARKS = {
   pending: ["·", "to come"],
@@ -39,6 +39,11 @@ export class ProgramView {
   /** A program is about to be written, perhaps in place of one that failed. */
   begin() {
     if (this.lines.length) this.reset("What is left is being planned anew …");
+  }
+
+  /** What was cut off is written anew from there on. */
+  keep(characters) {
+    if (this.text) this.written = this.written.slice(0, characters);
   }
 
   /** Some more of the program came from the model. */

@@ -9,7 +9,7 @@ import { RolloutView } from "./rollout.js";
 import { ScoreBoard } from "./scores.js";
 import { WhatIf } from "./whatif.js";
 
-const LIT_BY = new Set(["comment_reached", "action_started", "assertion_checked", "call_skipped", "recovery_taken"]);
+const LIT_BY = new Set(["comment_reached", "action_started", "assertion_checked", "call_skipped", "recovery_taken", "branch_decided"]);
 const OVER = new Set(["planned", "succeeded", "failed", "cancelled"]);
 
 export class Watch {
@@ -103,6 +103,7 @@ export class Watch {
         this.banner.show(this.plan, null);
       }
     }
+    if (event.kind === "completion_continued") this.program.keep(event.kept);
     if (event.kind === "completion_grew") this.program.grow(event.text);
   }
 
@@ -177,6 +178,8 @@ export class Watch {
         return note("skipped", event.reason);
       case "assertion_checked":
         return note(event.holds ? "holds" : "broken", event.holds ? "true" : "false");
+      case "branch_decided":
+        return note(event.holds ? "holds" : "broken", event.holds ? "yes" : "no");
       case "recovery_taken":
         return note("broken", event.calls ? "false, recovering" : "false, no recovery");
     }

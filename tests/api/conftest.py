@@ -79,13 +79,17 @@ def standing(migrated_file, tmp_path_factory):
 @pytest.fixture
 def plan_it(parts):
     """What the planning worker does with a plan."""
-    return Planning(parts.database, parts.handover, lambda *names: ScriptedModel([Answer(text=BODY)]))
+    return Planning(
+        parts.database, parts.handover, lambda *names: ScriptedModel([Answer(text=BODY)])
+    )
 
 
 @pytest.fixture
 def carry_out(parts):
     """What the simulation worker does with an execution."""
-    return Simulation(parts.database, parts.handover)
+    return Simulation(
+        parts.database, parts.handover, lambda *names: ScriptedModel([Answer(text="True")])
+    )
 
 
 @pytest.fixture

@@ -87,7 +87,7 @@ def make_execution(database, handover, make_plan):
 
 @pytest.fixture
 def simulation(database, handover):
-    return Simulation(database, handover)
+    return Simulation(database, handover, lambda *names: ScriptedModel([Answer(text="True")]))
 
 
 @pytest.fixture

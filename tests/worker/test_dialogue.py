@@ -101,7 +101,7 @@ def test_a_planner_never_learns_which_goal_conditions_were_missed(
 
 def test_no_more_is_planned_anew_than_was_asked_for(make_plan, work, read_plan):
     plan_id = make_plan(planner={"model": "scripted", "max_replans": 1}, goal=[])
-    again = "    grab_and_putin('apple', 'banana')\n"
+    again = "    grab_and_putin('apple', 'cat')\n"
     assert len(work(plan_id, BURIED, again)) == 2
     assert read_plan(plan_id).status == "failed"
 

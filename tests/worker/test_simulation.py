@@ -101,7 +101,7 @@ def test_an_execution_that_kills_its_worker_three_times_at_a_step_is_given_up(
 def test_an_error_in_the_world_ends_as_a_failed_execution_with_the_reason(
     make_execution, simulation, read_execution, monkeypatch
 ):
-    def broken(scene, seed):
+    def broken(*_):
         raise MemoryError("no room for this scene")
 
     monkeypatch.setattr(worlds["perfect"], "open", broken)

@@ -1,0 +1,24 @@
+from app.domain.action import ActionSignature, Parameter
+from app.worlds.actions.household import actions
+from app.worlds.simulators.household_agent import HouseholdAgent, refuse
+from app.worlds.simulators.household_graph import Node
+
+
+@actions.register("drink")
+class Drink:
+    """Drink it, or from it."""
+
+    signature = ActionSignature(
+        name="drink",
+        parameters=(Parameter(name="obj"),),
+        meaning="Drink obj, held in a hand, or what is in it.",
+    )
+
+    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
+        (node,) = nodes
+        if not node.properties & {"DRINKABLE", "RECIPIENT"}:
+            refuse(f"nobody can drink the {node} or from it")
+        agent.demand_held(node)
+
+    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
+        del agent, nodes  # Nothing changes.

@@ -1,0 +1,26 @@
+from app.domain.action import ActionSignature, Parameter
+from app.worlds.actions.household import actions
+from app.worlds.simulators.household_agent import HouseholdAgent
+from app.worlds.simulators.household_graph import Node
+
+
+@actions.register("plugout")
+class PlugOut:
+    """Plug it out."""
+
+    signature = ActionSignature(
+        name="plugout",
+        parameters=(Parameter(name="obj"),),
+        meaning="Plug obj out.",
+    )
+
+    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
+        (node,) = nodes
+        agent.demand_property(node, "HAS_PLUG", "plug out")
+        agent.demand_close(node)
+        agent.demand_free_hand()
+        agent.demand_state(node, "PLUGGED_IN", verb="")
+
+    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
+        (node,) = nodes
+        agent.graph.change(node, "PLUGGED_IN", "PLUGGED_OUT")

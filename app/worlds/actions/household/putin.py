@@ -1,0 +1,27 @@
+from app.domain.action import ActionSignature, Parameter
+from app.worlds.actions.household import actions
+from app.worlds.simulators.household_agent import HouseholdAgent, refuse
+from app.worlds.simulators.household_graph import Node
+
+
+@actions.register("putin")
+class PutIn:
+    """Let go of it inside something, which has to be open if it can be."""
+
+    signature = ActionSignature(
+        name="putin",
+        parameters=(Parameter(name="obj1"), Parameter(name="obj2", role="container")),
+        meaning="Put obj1, held in a hand, into obj2.",
+    )
+
+    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
+        item, target = nodes
+        if target in agent.graph.contents(item):
+            refuse(f"the {target} is in or on the {item} itself")
+        agent.demand_held(item)
+        agent.demand_close(target)
+        agent.demand_open(target)
+
+    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
+        item, target = nodes
+        agent.put(item, "INSIDE", target)

@@ -1,0 +1,24 @@
+from app.domain.action import ActionSignature, Parameter
+from app.worlds.actions.household import actions
+from app.worlds.simulators.household_agent import HouseholdAgent
+from app.worlds.simulators.household_graph import Node
+
+
+@actions.register("type")
+class Type:
+    """Type on a keyboard or press keys of something switched."""
+
+    signature = ActionSignature(
+        name="type",
+        parameters=(Parameter(name="obj"),),
+        meaning="Type on obj.",
+    )
+
+    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
+        (node,) = nodes
+        if node.name != "keyboard":
+            agent.demand_property(node, "HAS_SWITCH", "type on")
+        agent.demand_close(node)
+
+    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
+        del agent, nodes  # Nothing changes.

@@ -1,0 +1,279 @@
+"""Household: a home of rooms, furniture and things, as a graph; the paper's symbolic environment."""
+
+import json
+import random
+import re
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
+from pathlib import Path
+
+import mujoco
+
+from app.domain.condition import Relation
+from app.domain.errors import ActionFailure, Fault, SceneRefused, UnknownName
+from app.domain.perception import Perception
+from app.domain.program import Argument
+from app.domain.scene import Scene
+from app.domain.trace import Frame
+from app.domain.world import ObjectKind, Stage
+from app.worlds import worlds
+from app.worlds.actions.household import actions as primitives
+from app.worlds.simulators.household_agent import HouseholdAgent
+from app.worlds.simulators.household_document import Document, read_graph
+from app.worlds.simulators.household_facts import RELATIONS, facts, holds
+from app.worlds.simulators.household_film import HouseholdFilm
+from app.worlds.simulators.household_graph import AGENT, HouseholdGraph
+from app.worlds.simulators.household_instances import Instances
+from app.worlds.simulators.household_model import HomeModel
+from app.worlds.simulators.household_states import derive
+from app.worlds.simulators.household_things import kind, things
+
+SHIPPED = Path(__file__).resolve().parents[2] / "static" / "homes"
+PAPER = (
+    "find", "walk", "grab", "putin", "putback", "open", "close", "switchon", "switchoff",
+    "sit", "standup",
+)  # fmt: skip
+"""The verbs of the paper's household, in the order of its import line."""
+_KNOWN = Perception(source="privileged")
+_TICK = 0.2
+"""So much of the film passes between two looks at the world [s]."""
+_LINE = re.compile(r"\[(\w+)\]|\((\d+)\)")
+
+
+@worlds.register("household")
+class Household:
+    """The description of the household, and where its worlds are opened."""
+
+    name = "household"
+    relations = RELATIONS
+    moves = True
+    feedback = True
+    planner = "progprompt"
+    actions = tuple(
+        primitives[name].signature
+        for name in (*PAPER, *(name for name in primitives if name not in PAPER))
+    )
+    default_actions = PAPER
+
+    def __init__(self) -> None:
+        self.folder = SHIPPED
+        """Where the environments are: one JSON file each."""
+
+    def homes(self, folder: Path | None) -> None:
+        """Take the environments from this folder, or with None those that ship with the product.
+
+        Raises:
+            UnknownName: the folder holds no environment.
+        """
+        self.folder = folder or SHIPPED
+        if not self.environments():
+            raise UnknownName("folder of homes", str(self.folder), [str(SHIPPED)])
+
+    def environments(self) -> tuple[str, ...]:
+        """The names that ``environment`` of a scene may have."""
+        return tuple(sorted(file.stem for file in self.folder.glob("env*.json")))
+
+    def catalogue(self) -> tuple[ObjectKind, ...]:
+        """Every class of thing in any of the homes, with its bounding box."""
+        found: dict[str, ObjectKind] = {}
+        for environment in self.environments():
+            graph = read_graph(_document(self.folder / f"{environment}.json"))
+            for node in graph.nodes.values():
+                if node.name not in found and node is not graph.agent:
+                    found[node.name] = kind(node)
+        return tuple(found[name] for name in sorted(found))
+
+    def complete(self, scene: Scene, seed: int) -> Scene:
+        """The scene with its environment named and all its classes of things listed.
+
+        A scene that lists objects offers only these to the planner; the others are there as well.
+
+        Raises:
+            SceneRefused: the environment, the graph or an object is not to be had.
+        """
+        del seed  # Nothing is left to chance.
+        graph = self.graph(scene)
+        described = {each.name: each for each in things(graph)}
+        faults = [
+            Fault(
+                field=f"scene.objects.{index}.name",
+                message=f"there is no {item.name[:80]!r} in this home; there is: "
+                + ", ".join(sorted(described)),
+            )
+            for index, item in enumerate(scene.objects)
+            if item.name not in described
+        ]
+        if faults:
+            raise SceneRefused(*faults)
+        chosen = [described[item.name] for item in scene.objects] or described.values()
+        environment = None if scene.graph is not None else scene.environment or "env0"
+        return Scene(
+            world=scene.world,
+            objects=tuple(chosen),
+            agent=AGENT,
+            actions=scene.actions,
+            environment=environment,
+            graph=scene.graph,
+        )
+
+    def graph(self, scene: Scene) -> HouseholdGraph:
+        """The home of the scene as it is at first.
+
+        Raises:
+            SceneRefused: it names no home, or its own graph is none.
+        """
+        if scene.graph is not None:
+            if scene.environment is not None:
+                message = "is given beside a graph; give one of the two"
+                raise SceneRefused(Fault(field="scene.environment", message=message))
+            return read_graph(json.loads(scene.graph))
+        name = scene.environment or "env0"
+        if name not in self.environments():
+            message = f"there is no home {name[:80]!r}; there is: {', '.join(self.environments())}"
+            raise SceneRefused(Fault(field="scene.environment", message=message))
+        return read_graph(_document(self.folder / f"{name}.json"), field="scene.environment")
+
+    def open(self, scene: Scene, seed: int, perception: Perception = _KNOWN) -> "HouseholdWorld":
+        """A world with this scene in it, and with frames of what it looks like."""
+        del perception  # The graph is known.
+        return HouseholdWorld(self.complete(scene, seed), self.graph(scene), seed, filmed=True)
+
+    def open_perfect(self, scene: Scene, seed: int, state: bytes | None = None) -> "HouseholdWorld":
+        """The same without frames, for which no time passes: nothing ever slips in a home."""
+        world = HouseholdWorld(self.complete(scene, seed), self.graph(scene), seed)
+        if state is not None:
+            world.restore(state)
+        return world
+
+    def open_official(self, scene: Scene, seed: int) -> "HouseholdWorld":
+        """As in the paper's release: things are found by chance, told by the seed."""
+        return HouseholdWorld(self.complete(scene, seed), self.graph(scene), seed, official=True)
+
+
+class HouseholdWorld:
+    """One home in which somebody acts, and never slips."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        graph: HouseholdGraph,
+        seed: int,
+        *,
+        official: bool = False,
+        filmed: bool = False,
+    ) -> None:
+        """Begin with a completed scene and its graph, which becomes this world's own.
+
+        The ``official`` rules are those of the paper's release, to compare with its tables. A
+        world that is ``filmed`` has frames; in any other no time passes.
+        """
+        self.scene = scene
+        self.graph = graph
+        self.agent = HouseholdAgent(graph, official=official)
+        self._seed = seed
+        self._begun = 0
+        self._rng = random.Random() if official else None
+        self._instances = Instances(self.agent, self._rng)
+        self._film = HouseholdFilm(self.agent, HomeModel(graph)) if filmed else None
+        self._time = 0.0
+        derive(graph, official=official)
+
+    @property
+    def time(self) -> float:
+        """Time since the rollout began, as the film has it [s]."""
+        return self._time
+
+    def perform(self, action: str, arguments: tuple[Argument, ...]) -> Iterator[Stage]:
+        """Do it with the things that are meant; yields every 0.2 s of the film.
+
+        Raises:
+            ActionFailure: it cannot be done; nothing has changed.
+        """
+        yield Stage(name=action)
+        self._begun += 1
+        if self._rng is not None:
+            self._rng.seed(self._seed * 1_000_003 + self._begun)
+        primitive = primitives[action]
+        chosen = self._instances.choose(action, primitive.check, tuple(map(str, arguments)))
+        if self._film is not None:
+            self._film.approach(chosen)
+        primitive.apply(self.agent, *chosen)
+        derive(self.graph, official=self.agent.official)
+        if self._film is not None:
+            self._film.add(chosen)
+            while self._time < self._film.time:
+                self._time = min(self._time + _TICK, self._film.time)
+                yield Stage(name=action)
+
+    def holds(self, relation: Relation) -> bool:
+        """Whether the relation is true of any things of these names."""
+        return holds(self.agent, relation)
+
+    def facts(self) -> frozenset[Relation]:
+        """States, what is held, and what is in or on what."""
+        return frozenset(facts(self.agent))
+
+    def settle(self) -> None:
+        """Nothing moves by itself."""
+
+    def frames(self) -> tuple[Frame, ...]:
+        """The frames since the last call, ten a second; none where nothing is filmed."""
+        return self._film.frames(self._time) if self._film is not None else ()
+
+    def save(self) -> bytes:
+        """States, edges, what was used last, and how it looks; to be called between actions."""
+        chosen = [self._instances.used, sorted(self._instances.shunned)]
+        film = self._film.save() if self._film is not None else None
+        return json.dumps([self._begun, chosen, self.graph.save(), film]).encode()
+
+    def restore(self, state: bytes) -> None:
+        """Take up what ``save`` gave, of a filmed world or of one that is not."""
+        self._begun, (used, shunned), graph, film = json.loads(state)
+        self._instances.used, self._instances.shunned = used, set(shunned)
+        self.graph.restore(graph)
+        if self._film is None:
+            return
+        if film is None:
+            self._film.catch_up()
+        else:
+            self._film.restore(film)
+            self._time = self._film.time
+
+    def begin(self) -> None:
+        """Call it time 0, with no frames waiting."""
+        self._time = 0.0
+        if self._film is not None:
+            self._film.rewind()
+
+
+def compile_model(scene: Scene) -> mujoco.MjModel:
+    """The model of a completed scene, whose ``qpos`` the frames are."""
+    household = worlds["household"]
+    assert isinstance(household, Household)
+    return HomeModel(household.graph(scene)).compile()
+
+
+def replay(graph: HouseholdGraph, lines: Iterable[str], *, official: bool = True) -> int:
+    """Carry out recorded lines, ``[putin] <apple> (438) <fridge> (305)``; how many could be.
+
+    The instances are those of the lines; a line that cannot be carried out changes nothing.
+    """
+    agent = HouseholdAgent(graph, official=official)
+    done = 0
+    derive(graph, official=official)
+    for line in lines:
+        verb, *ids = (verb or identifier for verb, identifier in _LINE.findall(line))
+        chosen = [graph.nodes[int(each)] for each in ids]
+        try:
+            primitives[verb].check(agent, *chosen)
+        except ActionFailure:
+            continue
+        primitives[verb].apply(agent, *chosen)
+        derive(graph, official=official)
+        done += 1
+    return done
+
+
+@lru_cache(maxsize=8)
+def _document(file: Path) -> Document:
+    return json.loads(file.read_text(encoding="utf-8"))
