@@ -6,7 +6,7 @@ from app.storage import executions, frames
 from app.storage.database import Database
 from app.storage.documents import read_scene
 from app.view.source import NoMotion
-from app.worlds import worlds
+from app.worlds import household, worlds
 from app.worlds.simulators.mujoco.scene_builder import build
 
 
@@ -28,6 +28,8 @@ class StoredRollout:
 
     def model(self):  # noqa: ANN201 - MuJoCo's types stay out of this room
         """The compiled scene."""
+        if self._scene.world == household.Household.name:
+            return household.compile_model(self._scene)
         return build(self._scene).model
 
     def frames(self, after: int) -> np.ndarray:

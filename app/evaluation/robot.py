@@ -8,14 +8,16 @@ from pathlib import Path
 from app.domain.goal import Goal
 from app.domain.instruction import Instruction
 from app.domain.llm import LanguageModel
+from app.domain.perception import Perception
 from app.domain.planner import PlannerOptions, Task
 from app.domain.scene import Scene, SceneObject
 from app.domain.trace import ExecutionEvent, Trace
 from app.evaluation.intervals import wilson
+from app.evaluation.pick import CAMERAS
 from app.planners import planners
 from app.programs.conditions import parse_condition
 from app.rollout import Scores, carry_out, collect, offered, rehearse, score, understand
-from app.worlds import worlds
+from app.worlds.tabletop import Tabletop
 
 SUITE = Path(__file__).resolve().parents[2] / "static" / "suites" / "robot-tasks.json"
 
@@ -66,6 +68,7 @@ def run_robot_task(
     task: RobotTask,
     model: LanguageModel,
     layouts: int,
+    perception: Perception = CAMERAS,
     on_layout: Callable[[Scores], None] = lambda _: None,
 ) -> RobotRow:
     """Plan the task once and carry it out on layouts 0, 1, 2 … of its objects.
@@ -73,7 +76,7 @@ def run_robot_task(
     Raises:
         ModelError: the model could not be asked, or gave nothing usable.
     """
-    world = worlds["tabletop"]
+    world = Tabletop()
     scene = Scene(world=world.name, objects=tuple(SceneObject(name=n) for n in task.objects))
     goal = Goal(tuple(parse_condition(text) for text in task.goal))
     asked = Task(
@@ -87,7 +90,7 @@ def run_robot_task(
     rollouts: list[Scores] = []
     for seed in range(layouts):
         events: list[ExecutionEvent] = []
-        carry_out(plan, goal, world.open(scene, seed), collect(events))
+        carry_out(plan, goal, world.open(scene, seed, perception), collect(events))
         rollouts.append(score(Trace(events=tuple(events))))
         on_layout(rollouts[-1])
     return RobotRow(

@@ -4,7 +4,10 @@ import pytest
 from click.testing import CliRunner
 
 from app.cli.bench import command
+from app.domain.perception import Perception
 from app.evaluation.pick import bench_pick, run_episode
+from app.evaluation.readiness import bench_scene
+from app.evaluation.scaling import bench_parallel
 
 pytestmark = pytest.mark.physics
 
@@ -29,6 +32,33 @@ def test_the_report_counts_what_was_told():
     assert report.success_interval[0] <= report.success <= report.success_interval[1]
     assert report.first_attempt <= report.success
     assert sum(report.failures.values()) == len(report.failed)
+
+
+def test_privileged_perception_and_cameras_are_told_apart_in_the_report():
+    report = bench_pick(1, 5, perception=Perception(source="privileged"))
+    assert report.perception.source == "privileged"
+    assert bench_pick(0, 5).perception == Perception(source="cameras", noise=0.002)
+
+
+def test_the_same_picks_run_in_worker_processes():
+    (row,) = bench_parallel(2, 5, 1)
+    assert (row.workers, row.episodes, row.speedup) == (1, 2, 1.0)
+    assert row.episodes_per_second == pytest.approx(2 / row.wall_seconds)
+    assert row.realtime_factor > 0
+
+
+def test_a_scene_is_ready_after_some_time():
+    report = bench_scene(12, 3, 0)
+    assert (report.objects, report.scenes) == (12, 3)
+    assert 0 < report.median_seconds <= max(report.slowest_seconds, report.first_seconds)
+
+
+def test_the_command_takes_how_the_robot_sees():
+    arguments = ["pick", "--episodes", "1", "--seed", "5", "--noise", "1", "--confusion", "0.5"]
+    result = CliRunner().invoke(command, [*arguments, "--json"])
+    assert result.exit_code == 0, result.output
+    seen = {"source": "cameras", "noise": 0.001, "confusion": 0.5}
+    assert json.loads(result.stdout)["perception"] == seen
 
 
 def test_the_command_prints_one_json_object():

@@ -137,7 +137,7 @@ def compare_evaluations(
     for each, results in zip((evaluation_id, other), pair, strict=True):
         if len(by_cell(results)) != 1:
             raise Conflict(f"evaluation {each} is to have results of exactly one method")
-    found = compare(*pair, BY_NAME[metric], (evaluation_id, other))
+    found = compare(pair[0], pair[1], BY_NAME[metric], (evaluation_id, other))
     return ComparisonShown.model_validate(found)
 
 
@@ -151,8 +151,9 @@ def give_verdict(
         row = evaluations.result(session, evaluation_id, index)
         if row.result is None:
             raise Conflict("the attempt is not finished")
-        row.result = {**row.result, "verdict": given.model_dump()}
-        return {"index": index, **row.result}
+        judged = {**row.result, "verdict": given.model_dump()}
+        row.result = judged
+        return {"index": index, **judged}
 
 
 @router.post("/{evaluation_id}/cancel", status_code=202)
