@@ -21,6 +21,7 @@ from app.planners import planners
 from app.programs.examples import asserted_relations, load_examples
 from app.programs.parser import parse_program
 from app.programs.prompt import write_cue, write_preamble, write_prompt
+from app.programs.repetition import before_repetition
 
 STOP = ("\ndef ", "\n\n\n", "\nfrom ", "\nclass ", "\nif __name__", "```")
 STOP_CONSTRAINED = ("\n\n", "\ndef ")
@@ -74,16 +75,15 @@ def _complete(task: Task, prompt: str, model: LanguageModel, telling: "_Telling"
         seed=task.options.seed,
         grammar=_grammar(task) if constrained else None,
     )
-    completion = model.complete(request, telling.text)
-    telling.end(completion)
+    completion = telling.ended(model.complete(request, telling.text))
     for _ in range(MAX_CONTINUATIONS):
         kept = whole_lines(completion.text)
         if completion.finish != "length" or not kept:
             break
         telling.event(CompletionContinued(kept=len(kept), tokens=completion.completion_tokens))
         grammar = _grammar(task, begun=True) if constrained else None
-        rest = model.complete(replace(request, prompt=prompt + kept, grammar=grammar), telling.text)
-        telling.end(rest)
+        again = replace(request, prompt=prompt + kept, grammar=grammar)
+        rest = telling.ended(model.complete(again, telling.text))
         completion = _joined(completion, kept, rest)
     return completion
 
@@ -170,13 +170,15 @@ def _start(text: str) -> str:
 
 
 class _Telling:
-    """Tells of the completion in pieces as it grows, and remembers a wish to stop."""
+    """Tells of the completion in pieces as it grows; stops it where it runs in circles."""
 
     def __init__(self, report: Report) -> None:
         self._report = report
         self._pending = ""
         self._told = False
         self._stopping = False
+        self._written = ""
+        self._kept: str | None = None
 
     def event(self, event: PlanningEvent) -> None:
         """Tell of one event.
@@ -190,20 +192,28 @@ class _Telling:
     def text(self, piece: str) -> bool:
         """Take a new piece of the completion; True stops the generation."""
         self._pending += piece
+        self._written += piece
+        if "\n" in piece:
+            self._kept = before_repetition(self._written)
         if not self._stopping and (len(self._pending) >= PIECE or "\n" in piece):
             self._stopping = self._report(CompletionGrew(text=self._pending))
             self._pending, self._told = "", True
-        return self._stopping
+        return self._stopping or self._kept is not None
 
-    def end(self, completion: Completion) -> None:
-        """Tell of what is left of the completion.
+    def ended(self, completion: Completion) -> Completion:
+        """Tell of what is left of the completion; where it ran in circles, of one round only.
 
         Raises:
             Cancelled: whoever was told asked for it.
         """
-        if self._stopping or completion.finish == "cancelled":
+        kept, self._written, self._kept = self._kept, "", None
+        if self._stopping or (completion.finish == "cancelled" and kept is None):
             raise Cancelled("planning was cancelled")
         rest = self._pending if self._told else self._pending or completion.text
         self._pending, self._told = "", False
         if rest:
             self.event(CompletionGrew(text=rest))
+        if kept is None:
+            return completion
+        self.event(CompletionContinued(kept=len(kept), tokens=completion.completion_tokens))
+        return replace(completion, text=kept, finish="stop")

@@ -7,6 +7,7 @@ from app.domain.llm import Completion
 from app.domain.planner import Preambled, Turn
 from app.domain.program import ActionCall
 from app.domain.trace import CompletionContinued, CompletionGrew, PlanningStarted, PromptWritten
+from app.llm.backends.scripted import Answer, ScriptedModel
 from app.planners import planners
 from app.planners.progprompt import MAX_CONTINUATIONS, function_body, whole_lines
 from app.programs.parser import parse_program
@@ -77,7 +78,6 @@ def test_options_reach_the_model(task, canned, write):
         ("    banana bowl banana\n", "is no plan: program.line 3"),
         ("    import os\n    os.system('ls')\n", "program.line 3"),
         ("    # 1: think\n", "no statement"),
-        ("    grab_and_putin('banana', 'bowl')\n" * 5000, "no end within 1800 tokens"),
         ("    # " + "so " * 5000, "no end within 600 tokens"),
     ],
 )
@@ -152,9 +152,12 @@ class CutOff:
         raise NotImplementedError
 
 
-LONG = (
-    "    # 1: again and again\n" + "    grab_and_putin('banana', 'bowl')\n" * 5 + "    # 2: Done\n"
-)
+def steps(number):
+    """So many different ones of the same length."""
+    return "".join(f"    grab_and_putin('b{one:05}', 'bowl')\n" for one in range(number))
+
+
+LONG = f"    # 1: one after the other\n{steps(5)}    # 2: Done\n"
 
 
 def test_a_completion_that_was_cut_off_is_gone_on_with_from_its_last_whole_line(task, write):
@@ -193,8 +196,7 @@ def test_what_goes_on_is_bound_by_the_grammar_of_a_begun_body(task, write):
 
 
 def test_a_model_that_never_comes_to_an_end_is_asked_so_often_and_no_more(task, write):
-    endless = "    grab_and_putin('banana', 'bowl')\n" * 500
-    model = CutOff(endless, 200)
+    model = CutOff(steps(500), 200)
     with pytest.raises(CompletionFailed, match="no end within 15 tokens"):
         write(task(), model)
     assert len(model.requests) == 1 + MAX_CONTINUATIONS
@@ -232,3 +234,13 @@ def test_the_dialogue_and_the_failed_try_reach_the_model(task, canned, write):
     assert "# what happened: the banana slipped\n" in model.requests[0].prompt
     assert model.requests[0].grammar
     assert parse_program(draft.program).name == "finish_put_the_banana_in_the_bowl"
+
+
+def test_a_model_that_runs_in_circles_is_stopped_and_one_round_is_kept(task, write):
+    events, body = [], steps(2)
+    model = ScriptedModel([Answer(text=body, endless=True)])
+    draft = write(task(), model, lambda event: bool(events.append(event)))
+    assert draft.program.endswith(body)
+    assert draft.program.count("b00001") == 1
+    assert draft.completion.completion_tokens < 40
+    assert rebuilt(events) == body
