@@ -8,6 +8,7 @@ import numpy as np
 
 from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
+from app.domain.perception import Perception
 from app.domain.program import Argument
 from app.domain.scene import Scene
 from app.domain.trace import Frame
@@ -22,6 +23,7 @@ from app.worlds.simulators.mujoco.scene_builder import BuiltScene, build
 from app.worlds.simulators.mujoco.workcell import Workcell
 from app.worlds.simulators.symbolic import SymbolicWorld
 
+DEFAULT_PERCEPTION = Perception()
 _COUNT = struct.Struct("<Q")
 
 
@@ -33,10 +35,10 @@ class Tabletop:
     relations = RELATIONS
     moves = True
     feedback = False
-    planner = "progprompt"
-    default_actions = ("grab_and_putin",)
+    planner = "situated"
 
     actions = tuple(action.signature for action in primitives.values())
+    default_actions: tuple[str, ...] = ("grab_and_putin",)
 
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""
@@ -46,19 +48,22 @@ class Tabletop:
         """The scene with kinds, sizes, colours and places for all objects."""
         return complete(scene, seed)
 
-    def open(self, scene: Scene, seed: int) -> World:
-        """The scene in physics, settled, at time 0."""
-        return TabletopWorld(complete(scene, seed), seed)
+    def open(
+        self, scene: Scene, seed: int, perception: Perception = DEFAULT_PERCEPTION
+    ) -> "TabletopWorld":
+        """The scene in physics, settled, at time 0; its robot sees as ``perception`` tells."""
+        return TabletopWorld(complete(scene, seed), seed, perception)
 
     def open_perfect(self, scene: Scene, seed: int, state: bytes | None = None) -> World:
-        """The scene's facts as it is described, without a step of physics."""
+        """The scene's facts as it is described, or as it was saved, without a step of physics."""
         scene = complete(scene, seed)
-        built = build(scene)
+        built = build(scene, visuals=False)
         physics = Physics(built)
         if state is not None:
             physics.restore(state[_COUNT.size :])
-        facts = Relations(physics).every_fact()
-        return SymbolicWorld(scene, facts | _affordances(built), primitives)
+        relations = Relations(physics)
+        facts = relations.every_fact() | _affordances(built, relations)
+        return SymbolicWorld(scene, facts, primitives)
 
 
 class TabletopWorld:
@@ -68,11 +73,11 @@ class TabletopWorld:
     actions went before, so that a restored world goes on as it would have.
     """
 
-    def __init__(self, scene: Scene, seed: int) -> None:
+    def __init__(self, scene: Scene, seed: int, perception: Perception) -> None:
         self.scene = scene
         self._seed = seed % 2**63
         self._performed = 0
-        self._cell = Workcell.over(build(scene))
+        self._cell = Workcell.over(build(scene, visuals=False), perception, self._seed)
         self.physics = self._cell.physics
         self.physics.begin()
 
@@ -87,22 +92,28 @@ class TabletopWorld:
         Raises:
             ActionFailure: it did not succeed; the gripper is open and the arm at home.
         """
-        names = [str(argument) for argument in arguments]
-        for name in names:
-            if name not in self.physics.bodies:
-                raise ActionFailure("look", f"there is no {name} in the scene")
+        parameters = primitives[action].signature.parameters
+        for parameter, argument in zip(parameters, arguments, strict=True):
+            named = parameter.role not in ("number", "word")
+            if named and argument not in self.physics.bodies:
+                raise ActionFailure("look", f"there is no {argument} in the scene")
         rng = np.random.default_rng((self._seed, self._performed))
         self._performed += 1
         self.physics.wake()
-        yield from primitives[action].perform(self._cell, rng, *names)
+        yield from primitives[action].perform(self._cell, rng, *map(str, arguments))
 
     def holds(self, relation: Relation) -> bool:
         """Whether the relation is true as things stand now."""
-        return self._cell.relations.holds(relation)
+        return self._cell.truth.holds(relation)
 
     def facts(self) -> frozenset[Relation]:
-        """Every ``in``, ``on`` and ``held`` that is true now."""
-        return self._cell.relations.facts()
+        """Every ``in``, ``on`` and ``held`` that is true now, and what can be shut: open or closed."""
+        return self._cell.truth.facts()
+
+    def place(self, name: str) -> tuple[float, float]:
+        """Where an object's middle is, base frame [m]."""
+        x, y = self._cell.truth.place(name)
+        return float(x), float(y)
 
     def settle(self) -> None:
         """Go on until every object rests."""
@@ -121,15 +132,23 @@ class TabletopWorld:
         (self._performed,) = _COUNT.unpack_from(state)
         self.physics.restore(state[_COUNT.size :])
 
+    def begin(self) -> None:
+        """Call it time 0: what follows is a rollout of its own."""
+        self.physics.rewind()
+
 
 def compile_model(scene: Scene) -> mujoco.MjModel:
     """The model of a completed scene, whose ``qpos`` the frames are."""
     return build(scene).model
 
 
-def _affordances(built: BuiltScene) -> frozenset[Relation]:
-    """What never changes and decides what an action does: ``container(a)`` and ``flat(a)``."""
+def _affordances(built: BuiltScene, relations: Relations) -> frozenset[Relation]:
+    """What decides what an action does: ``container(a)``, ``flat(a)``, ``shuts(a)``, ``at(a, x, y)``."""
     containers = [body for body in built.bodies.values() if body.opening is not None]
     facts = {Relation("container", (body.name,)) for body in containers}
     facts |= {Relation("flat", (b.name,)) for b in containers if b.opening and b.opening.flat}
+    facts |= {Relation("shuts", (name,)) for name, b in built.bodies.items() if b.articulation}
+    for name in built.bodies:
+        x, y = relations.place(name)
+        facts.add(Relation("at", (name, f"{x:.4f}", f"{y:.4f}")))
     return frozenset(facts)

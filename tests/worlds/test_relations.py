@@ -3,6 +3,7 @@ import math
 import pytest
 
 from app.domain.condition import Relation
+from app.domain.scene import Scene, SceneObject
 
 pytestmark = pytest.mark.physics
 UNTURNED = (1.0, 0.0, 0.0, 0.0)
@@ -101,6 +102,45 @@ def test_a_tipped_bowl_contains_nothing(world, move):
     move(world, "apple", (0.5, 0.0, world.physics.height_of(body) + 0.001))
     world.settle()
     assert not holds(world, "in", "apple", "bowl")
+
+
+def test_what_lies_across_a_rim_is_not_in_it_and_what_leans_inside_is(tabletop, scene_of, move):
+    world = tabletop.open(scene_of(cup=(0.5, 0.0), pen=(0.4, 0.3)), 0)
+    rim = world.physics.bodies["cup"].height
+    move(world, "pen", (0.5, 0.0, rim + 0.002))
+    world.settle()
+    assert world.physics.height_of(world.physics.bodies["pen"]) > rim - 0.002
+    assert not holds(world, "in", "pen", "cup")
+    leaning = (math.cos(-0.72), 0.0, math.sin(-0.72), 0.0)
+    move(world, "pen", (0.5, 0.0, 0.085), leaning)
+    world.settle()
+    assert holds(world, "in", "pen", "cup")
+
+
+def test_in_front_is_nearer_to_the_robot(world):
+    assert holds(world, "in_front_of", "can", "apple")
+    assert holds(world, "behind", "apple", "can")
+    assert not holds(world, "behind", "can", "apple")
+
+
+def test_what_carries_something_is_not_clear(world, move):
+    assert holds(world, "clear", "book")
+    rest_on(world, move, "can", "book", world.physics.bodies["book"].height)
+    assert not holds(world, "clear", "book")
+    assert holds(world, "clear", "can")
+
+
+@pytest.mark.parametrize("name", ["drawer", "hinged box", "door cabinet"])
+def test_what_shuts_is_open_closed_or_neither(tabletop, name):
+    scene = Scene(world="tabletop", objects=(SceneObject(name=name, position=(0.5, 0, 0)),))
+    world = tabletop.open(scene, 0)
+    physics, body = world.physics, world.physics.bodies[name]
+    found = []
+    for share in (1.0, 0.4, 0.0):
+        physics.data.qpos[physics.model.jnt_qposadr[body.joint]] = share * body.articulation.travel
+        found.append((holds(world, "open", name), holds(world, "closed", name)))
+        assert (Relation("closed", (name,)) in world.facts()) == found[-1][1]
+    assert found == [(True, False), (False, False), (False, True)]
 
 
 def test_containers_are_open_and_nothing_is_closed(world):

@@ -19,9 +19,10 @@ class TabletopAction(SymbolicAction, Protocol):
         Args:
             cell: the robot's surroundings.
             rng: the action's own stream of random numbers.
-            arguments: names of objects that are in the scene.
+            arguments: names of objects that are in the scene; numbers as text.
 
         Raises:
-            ActionFailure: it did not succeed; the arm is at home, the gripper open and empty.
+            ActionFailure: it did not succeed; the arm is at home; the gripper is open, or holds
+                what it held before.
         """
         ...

@@ -11,7 +11,7 @@ from app.domain.trace import Frame
 from app.domain.world import Stage
 
 TELLING = ("in", "on", "held")
-"""The relations that are worth telling."""
+"""The relations that are worth telling; of what shuts, also whether it is open or closed."""
 
 
 class SymbolicWorld:
@@ -24,7 +24,8 @@ class SymbolicWorld:
 
         Args:
             scene: completed.
-            facts: everything that is true, with what never changes: ``container(a)``, ``flat(a)``.
+            facts: everything that is true, with what never changes: ``container(a)``, ``flat(a)``
+                and the like.
             actions: by name.
         """
         self.scene = scene
@@ -48,7 +49,12 @@ class SymbolicWorld:
 
     def facts(self) -> frozenset[Relation]:
         """The facts that are worth telling."""
-        return frozenset(fact for fact in self._facts if fact.name in TELLING)
+        return frozenset(fact for fact in self._facts if self._is_telling(fact))
+
+    def _is_telling(self, fact: Relation) -> bool:
+        if fact.name in ("open", "closed"):
+            return Relation("shuts", fact.arguments) in self._facts
+        return fact.name in TELLING
 
     def settle(self) -> None:
         """Nothing moves."""
@@ -64,3 +70,6 @@ class SymbolicWorld:
     def restore(self, state: bytes) -> None:
         """Take up facts that ``save`` gave."""
         self._facts = frozenset(Relation(name, tuple(rest)) for name, *rest in json.loads(state))
+
+    def begin(self) -> None:
+        """No time has passed."""

@@ -3,136 +3,237 @@
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
+from scipy import ndimage
 
+from app.domain.perception import Perception
+from app.worlds.simulators.mujoco.camera import CAMERAS, LOW_CAMERAS, Camera
+from app.worlds.simulators.mujoco.cloud import Cloud
+from app.worlds.simulators.mujoco.depth import DepthImage
+from app.worlds.simulators.mujoco.detector import Confused, Detector, Segmentation
 from app.worlds.simulators.mujoco.physics import Physics
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 
 GROUPS = np.array([1, 0, 0, 1, 0, 0], np.uint8)
 """The geometry groups that are seen: plain geoms and collision geoms, not the visual copies."""
+SPACE = ((0.05, -0.72, -0.01), (0.82, 0.72, 0.35))
+"""Two corners of the box where objects are looked for [m]."""
 FARTHEST = 5.0
 """Nothing beyond this distance is seen [m]."""
-MARGIN = 0.025
+OVERVIEW = (160, 120)
+CLOSE_UP = (96, 96)
+"""Width and height of the images in pixels."""
+GLIMPSE = (20, 20)
+STRIDE = 2
+"""Of an overview, first every so many pixels are cast; then all those next to an object."""
+MARGIN = 0.02
 """How far around an object a close-up reaches, since the overview sees it coarsely [m]."""
 FEWEST = 3
-"""An object seen by fewer rays of the overview counts as not seen."""
+"""An object seen by fewer pixels counts as not seen."""
+LIFTED = 0.05
+"""What is all above this height is looked at from below as well [m]."""
+_NEIGHBOURHOODS = {OVERVIEW: 1, CLOSE_UP: 2, GLIMPSE: 1}
+"""How many pixels to each side go into a measured surface."""
 
 
 @dataclass(frozen=True, slots=True)
-class Camera:
-    """Where a camera is, what it looks at [m, base frame], and its vertical field of view [rad]."""
+class _Hits:
+    """What an image's rays hit; where none was cast, label -1."""
 
-    position: tuple[float, float, float]
-    target: tuple[float, float, float]
-    field_of_view: float = math.radians(60)
-
-    def rays(self, width: int, height: int) -> Array:
-        """Unit directions in the base frame, one per pixel, shape (width * height, 3)."""
-        forward = np.subtract(self.target, self.position)
-        forward /= np.linalg.norm(forward)
-        right = np.cross(forward, [0.0, 0.0, 1.0])
-        right /= np.linalg.norm(right)
-        half = math.tan(self.field_of_view / 2)
-        rows = np.linspace(half, -half, height)
-        columns = np.linspace(-half, half, width) * (width / height)
-        up, across = np.meshgrid(rows, columns, indexing="ij")
-        directions = forward + across[..., None] * right + up[..., None] * np.cross(right, forward)
-        directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
-        return directions.reshape(-1, 3)
-
-
-CAMERAS = (
-    Camera((0.95, -0.55, 0.65), (0.5, 0.0, 0.02)),
-    Camera((0.95, 0.55, 0.65), (0.5, 0.0, 0.02)),
-    Camera((0.35, 0.0, 1.1), (0.5, 0.0, 0.0)),
-    Camera((0.05, -0.55, 0.6), (0.5, 0.0, 0.0)),
-)
-"""Two in front, one above, one over the robot's right shoulder."""
-
-
-@dataclass(frozen=True, slots=True)
-class Cloud:
-    """What was seen of one object: points [m] and outward unit normals, both (n, 3), base frame."""
-
-    points: Array
+    labels: NDArray[np.int32]
+    depths: Array
     normals: Array
-
-    def __len__(self) -> int:
-        return len(self.points)
-
-    @property
-    def lowest(self) -> Array:
-        """The bounding box's lower corner, shape (3,) [m]."""
-        return self.points.min(axis=0)
-
-    @property
-    def highest(self) -> Array:
-        """The bounding box's upper corner, shape (3,) [m]."""
-        return self.points.max(axis=0)
+    """Base frame, shape (height, width, 3)."""
 
 
 class Cameras:
     """The cameras around the table; what they see is labelled with the objects' names."""
 
-    def __init__(self, physics: Physics) -> None:
+    def __init__(
+        self, physics: Physics, perception: Perception | None = None, seed: int = 0
+    ) -> None:
+        """Put them up.
+
+        Args:
+            physics: what they look at.
+            perception: how well they see; None for privileged cameras, without any noise.
+            seed: of the noise and of confusions.
+        """
         self._physics = physics
-        self._names: dict[int, str] = {b.body_id: name for name, b in physics.bodies.items()}
+        self._seed = seed
+        self._names = tuple(physics.bodies)
+        perception = perception or Perception(source="privileged")
+        self._noise = perception.noise if perception.source == "cameras" else 0.0
+        self._detector = self._detecting(perception.confusion)
+        self._seen: dict[str, Cloud] = {}
+        self._close: set[str] = set()
+        self._moment, self._woken = (-1, b""), -1
 
-    def overview(self, width: int = 80, height: int = 60) -> dict[str, Cloud]:
-        """A coarse cloud of every object that is seen."""
-        return self._see(CAMERAS, width, height)
+    def look(self, *names: str) -> dict[str, Cloud]:
+        """Clouds of what is seen, the named ones and what is next to them from close up."""
+        if self._moment != self._now() or self._woken != self._physics.woken:
+            self._moment, self._woken = self._now(), self._physics.woken
+            self._seen, self._close = self.overview(), set[str]()
+        for name in names:
+            if name not in self._seen or name in self._close:
+                continue
+            self._close.add(name)
+            for other, cloud in self.close_up(self._seen[name]).items():
+                # At the edge of a close-up, only a part of a neighbour may be in view.
+                self._seen[other] = max(cloud, self._seen.get(other, cloud), key=len)
+        return dict(self._seen)
 
-    def close_up(self, cloud: Cloud, pixels: int = 90) -> dict[str, Cloud]:
+    def overview(self) -> dict[str, Cloud]:
+        """A coarse cloud of every object that is seen; what is not over the table is looked for."""
+        seen = self._overview(over_table=True)
+        return seen if len(seen) == len(self._names) else self._overview(over_table=False)
+
+    def _overview(self, *, over_table: bool) -> dict[str, Cloud]:
+        data = self._physics.stand()
+        images: list[tuple[Camera, _Hits]] = []
+        for camera in CAMERAS:
+            coarse = _coarse(camera, over_table=over_table)
+            first = self._cast(data, camera, coarse)
+            near = np.asarray(ndimage.maximum_filter(first.labels >= 0, 2 * STRIDE + 1), bool)
+            images.append((camera, self._cast(data, camera, near & ~coarse, first)))
+        return self._clouds(images)
+
+    def close_up(self, cloud: Cloud) -> dict[str, Cloud]:
         """Fine clouds of what is at the place of ``cloud``, from every camera."""
+        data = self._physics.stand()
         centre = (cloud.lowest + cloud.highest) / 2
         radius = float(np.linalg.norm(cloud.points - centre, axis=1).max()) + MARGIN
-        return self._see([_zoomed(camera, centre, radius) for camera in CAMERAS], pixels, pixels)
+        lifted = cloud.lowest[2] > LIFTED
+        images: list[tuple[Camera, _Hits]] = []
+        for camera in (*CAMERAS, *LOW_CAMERAS) if lifted else CAMERAS:
+            zoomed = camera.zoomed(centre, radius)
+            mask = _around(zoomed, cloud.points, radius)
+            images.append((zoomed, self._cast(data, zoomed, mask)))
+        return self._clouds(images)
 
-    def _see(self, cameras: Iterable[Camera], width: int, height: int) -> dict[str, Cloud]:
+    def glimpse(self, centre: Array, radius: float) -> dict[str, Cloud]:
+        """What there is in a ball, shape (3,) [m], at little cost: few pixels, too few for shapes."""
         data = self._physics.stand()
-        pieces: dict[str, list[Cloud]] = {}
-        for camera in cameras:
-            bodies, cloud = self._cast(data, camera, camera.rays(width, height))
-            for body in np.unique(bodies):
-                if name := self._names.get(int(body)):
-                    seen = bodies == body
-                    piece = Cloud(cloud.points[seen], cloud.normals[seen])
-                    pieces.setdefault(name, []).append(piece)
-        joined = {
-            name: Cloud(
-                np.concatenate([part.points for part in parts]),
-                np.concatenate([part.normals for part in parts]),
-            )
-            for name, parts in pieces.items()
-        }
-        return {name: cloud for name, cloud in joined.items() if len(cloud) >= FEWEST}
+        everywhere = np.ones(GLIMPSE, bool)
+        views = [camera.zoomed(centre, radius) for camera in CAMERAS]
+        return self._clouds([(view, self._cast(data, view, everywhere)) for view in views])
+
+    def current(self) -> dict[str, Cloud]:
+        """What the last look showed, if nothing has moved since; else another look."""
+        return self.look()
+
+    def latest(self) -> dict[str, Cloud]:
+        """What the last look of the same action showed, whatever has moved since; else a look."""
+        return dict(self._seen) if self._woken == self._physics.woken else self.look()
+
+    def _now(self) -> tuple[int, bytes]:
+        # Not the time alone: another state may have been restored.
+        return self._physics.steps, self._physics.data.qpos.tobytes()
+
+    def _detecting(self, confusion: float) -> Detector:
+        objects = [body.parts for body in self._physics.bodies.values()]
+        known = Segmentation(objects, self._physics.model.nbody)
+        if confusion == 0:
+            return known
+        return Confused(known, len(objects), confusion, self._seed)
 
     def _cast(
-        self, data: mujoco.MjData, camera: Camera, rays: Array
-    ) -> tuple[NDArray[np.int32], Cloud]:
-        count = len(rays)
-        geoms = np.zeros(count, np.int32)
-        distances = np.zeros(count)
+        self, data: mujoco.MjData, camera: Camera, mask: Mask, before: _Hits | None = None
+    ) -> _Hits:
+        """Cast the pixels of a mask, shape (height, width), into an image or into a new one."""
+        height, width = mask.shape
+        hits = before or _Hits(
+            np.full(mask.shape, -1, np.int32), np.zeros(mask.shape), np.zeros((*mask.shape, 3))
+        )
+        rows, columns = np.nonzero(mask)
+        count = len(rows)
+        if count == 0:
+            return hits
+        a, b = camera.tangents(width, height)
+        rays = np.stack([a[columns], b[rows], np.ones(count)], axis=1) @ camera.axes()
+        lengths = np.sqrt((rays**2).sum(axis=1))
+        rays /= lengths[:, None]
+        geoms, distances = np.zeros(count, np.int32), np.zeros(count)
         normals = np.zeros(3 * count)
-        origin = np.array(camera.position)
         mujoco.mj_multiRay(
-            self._physics.model, data, origin, rays.reshape(-1), GROUPS, True, -1,
-            geoms, distances, normals, count, FARTHEST,
+            self._physics.model, data, np.array(camera.position), rays.reshape(-1), GROUPS, True,
+            -1, geoms, distances, normals, count, FARTHEST,
         )  # fmt: skip
-        hit = geoms >= 0
-        rays, normals = rays[hit], normals.reshape(-1, 3)[hit]
+        normals = normals.reshape(-1, 3)
         # A hollow body is seen from inside as well: a normal always faces the camera.
         normals *= -np.sign((normals * rays).sum(axis=1, keepdims=True))
-        bodies = self._physics.model.geom_bodyid[geoms[hit]]
-        return bodies, Cloud(origin + rays * distances[hit, None], normals)
+        # The last geom's body stands for index -1, a ray that hit nothing; it is put right below.
+        labels = self._detector.label(self._physics.model.geom_bodyid[geoms])
+        hits.labels[rows, columns] = np.where(geoms >= 0, labels, -1)
+        hits.depths[rows, columns] = np.where(geoms >= 0, distances / lengths, 0.0)
+        hits.normals[rows, columns] = normals
+        return hits
+
+    def _clouds(self, images: Iterable[tuple[Camera, _Hits]]) -> dict[str, Cloud]:
+        # The same moment shows the same picture, whatever was looked at before.
+        rng = np.random.default_rng((self._seed, self._physics.steps))
+        pieces: dict[str, list[Cloud]] = {}
+        for camera, hits in images:
+            labels, cloud = self._surface(camera, hits, rng)
+            for label in np.unique(labels).tolist():
+                own = labels == label
+                piece = Cloud(cloud.points[own], cloud.normals[own])
+                pieces.setdefault(self._names[label], []).append(piece)
+        joined = {name: Cloud.joined(pieces[name]) for name in self._names if name in pieces}
+        return {name: cloud for name, cloud in joined.items() if len(cloud) >= FEWEST}
+
+    def _surface(
+        self, camera: Camera, hits: _Hits, rng: np.random.Generator
+    ) -> tuple[NDArray[np.int32], Cloud]:
+        """Labels (n,) and surface, base frame, of the pixels that show an object."""
+        height, width = hits.labels.shape
+        a, b = camera.tangents(width, height)
+        axes, position = camera.axes(), np.array(camera.position)
+        if self._noise:
+            image = DepthImage(hits.labels, hits.depths, (a, b)).with_noise(self._noise, rng)
+            labels, points, normals = image.surfaces(_NEIGHBOURHOODS[width, height])
+            return labels, Cloud(position + points @ axes, normals @ axes)
+        rows, columns = np.nonzero(hits.labels >= 0)
+        depths = hits.depths[rows, columns]
+        points = np.stack([a[columns] * depths, b[rows] * depths, depths], axis=1)
+        cloud = Cloud(position + points @ axes, hits.normals[rows, columns])
+        return hits.labels[rows, columns], cloud
 
 
-def _zoomed(camera: Camera, centre: Array, radius: float) -> Camera:
-    """The same camera, turned and zoomed onto a ball [m]."""
-    distance = float(np.linalg.norm(centre - camera.position))
-    angle = 2 * math.asin(min(0.9, radius / distance))
-    return Camera(camera.position, (centre[0], centre[1], centre[2]), angle)
+@cache
+def _coarse(camera: Camera, *, over_table: bool) -> Mask:
+    """Every so many pixels of an overview, or those of them that see the space over the table."""
+    width, height = OVERVIEW
+    mask = np.zeros((height, width), bool)
+    mask[::STRIDE, ::STRIDE] = True
+    if not over_table:
+        return mask
+    a, b = camera.tangents(width, height)
+    across, up = np.meshgrid(a, b)
+    rays = np.stack([across, up, np.ones_like(up)], axis=-1) @ camera.axes()
+    low, high = np.array(SPACE)
+    first, second = (low - camera.position) / rays, (high - camera.position) / rays
+    entered = np.minimum(first, second).max(axis=-1)
+    left = np.maximum(first, second).min(axis=-1)
+    return mask & (entered < left)
+
+
+def _around(camera: Camera, points: Array, radius: float) -> Mask:
+    """The pixels of a close-up that are next to one of the points, shape (height, width)."""
+    width, height = CLOSE_UP
+    local = (points - camera.position) @ camera.axes().T
+    half = math.tan(camera.field_of_view / 2)
+    flat = local[:, :2] / (local[:, 2:] * half)  # -1 to 1 in the image
+    columns = np.round((flat[:, 0] + 1) / 2 * (width - 1)).astype(int)
+    rows = np.round((1 - flat[:, 1]) / 2 * (height - 1)).astype(int)
+    inside = (columns >= 0) & (columns < width) & (rows >= 0) & (rows < height)
+    mask = np.zeros((height, width), bool)
+    mask[rows[inside], columns[inside]] = True
+    reach = math.ceil(MARGIN / 2 / (2 * radius / width))
+    return np.asarray(ndimage.maximum_filter(mask, 2 * reach + 1), bool)

@@ -1,17 +1,16 @@
 """Collision checks of the arm, and of what it carries, against everything else."""
 
-import copy
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from app.worlds.simulators.mujoco.kinematics import forward
-from app.worlds.simulators.mujoco.physics import ARM, FINGERS, Physics
-from app.worlds.simulators.mujoco.scene_builder import ObjectBody
+from app.worlds.simulators.mujoco.cloud import Cloud
+from app.worlds.simulators.mujoco.physics import ARM, FINGERS
 
 Array = NDArray[np.float64]
 
@@ -20,20 +19,10 @@ WIDEST_MARGIN = 0.006
 SELF_OVERLAP = -0.001
 CARRIED_OVERLAP = -0.0015
 """Overlaps up to this are contact, not collision: of the arm's own links, of what is carried [m]."""
-_OBSTACLE, _ROBOT, _CARRIED = 1, 2, 4
+OBSTACLE, ROBOT, CARRIED = 1, 2, 4
 """Bits of ``contype``. Obstacles ask for no contact, so they are never tested with each other."""
-_ROBOT_MEETS = _OBSTACLE | _ROBOT
-_CARRIED_MEETS = _OBSTACLE
+_MEETS = {OBSTACLE: 0, ROBOT: OBSTACLE | ROBOT, CARRIED: OBSTACLE}
 _HAND = ("hand", "left_finger", "right_finger")
-
-
-@dataclass(frozen=True, slots=True)
-class Carried:
-    """An object in the gripper."""
-
-    name: str
-    object_in_tool: Array
-    """Pose of its body in the tool frame, shape (4, 4)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,47 +36,59 @@ class Collision:
         return f"{self.first} with {self.second}"
 
 
-class Collisions:
-    """Would the arm hit something? Asked of a scratch copy of the scene, never of the physics.
+class Collisions(ABC):
+    """Would the arm hit something? Asked of a model of its own, never of the physics.
 
-    ``refresh`` takes over where the objects stand now.
+    ``refresh`` takes over where the objects stand now, as far as they are known.
     """
 
-    def __init__(self, physics: Physics) -> None:
-        self._physics = physics
-        self._model = copy.copy(physics.model)
-        self._data = mujoco.MjData(self._model)
-        self._labels = _labels(self._model, physics.bodies)
-        self._robot_bodies = _robot_bodies(self._model)
-        self._is_robot = self._robot_bodies[self._model.geom_bodyid]
-        self._solid = (self._model.geom_contype != 0) | (self._model.geom_conaffinity != 0)
-        self._carried = np.zeros(self._model.ngeom, bool)
-        self._set_masks(self._is_robot, _ROBOT, _ROBOT_MEETS)
-        self._set_masks(~self._is_robot, _OBSTACLE, 0)
-        self._model.geom_margin[:] = np.where(self._is_robot, WIDEST_MARGIN, 0.0)
-        self._model.geom_gap[:] = 0.0
-        self._model.body_margin[:] = np.where(self._robot_bodies, WIDEST_MARGIN, 0.0)
+    def __init__(self, model: mujoco.MjModel) -> None:
+        """Prepare.
+
+        Args:
+            model: of the arm and its surroundings; what of it may touch what is set here.
+        """
+        self._model = model
+        self._data = mujoco.MjData(model)
+        robot = _robot_bodies(model)
+        self._is_robot = robot[model.geom_bodyid]
+        self._solid = (model.geom_contype != 0) | (model.geom_conaffinity != 0)
+        self._carried = np.zeros(model.ngeom, bool)
+        self._set_masks(self._is_robot, ROBOT)
+        self._set_masks(~self._is_robot, OBSTACLE)
+        model.geom_margin[:] = np.where(self._is_robot, WIDEST_MARGIN, 0.0)
+        model.geom_gap[:] = 0.0
+        model.body_margin[:] = np.where(robot, WIDEST_MARGIN, 0.0)
         self.checks = 0
 
+    @abstractmethod
     def refresh(self) -> None:
-        """Take over the positions of the objects from the physics."""
-        self._data.qpos[:] = self._physics.data.qpos
+        """Take over where the objects are now."""
+        ...
 
-    @contextmanager
-    def carrying(self, carried: Carried) -> Iterator[None]:
+    @abstractmethod
+    def recall(self) -> None:
+        """Take over where the objects were when they were last looked at in this action."""
+        ...
+
+    @abstractmethod
+    def carrying(self, name: str) -> AbstractContextManager[None]:
         """Within this, the object moves with the hand and is itself tested against obstacles."""
-        body = self._physics.bodies[carried.name]
-        self._carried = self._model.geom_bodyid == body.body_id
-        self._set_masks(self._carried, _CARRIED, _CARRIED_MEETS)
-        self._load = (body.qpos_address, carried.object_in_tool)
-        try:
-            yield
-        finally:
-            self._set_masks(self._carried, _OBSTACLE, 0)
-            self._carried = np.zeros_like(self._carried)
-            self._load = None
+        ...
 
-    _load: tuple[int, Array] | None = None
+    @abstractmethod
+    def grasping(self, name: str, cloud: Cloud) -> AbstractContextManager[None]:
+        """Within this, the object is about to be taken and may come close to the fingers."""
+        ...
+
+    @abstractmethod
+    def shape(self, name: str) -> tuple[Array, Array]:
+        """The object as it is now.
+
+        Returns:
+            Points of its surface, shape (n, 3), and its middle, shape (3,), base frame [m].
+        """
+        ...
 
     def find(self, joints: Array, opening: float, clearance: float) -> Collision | None:
         """The first collision of the arm at these joint angles, or None.
@@ -101,11 +102,7 @@ class Collisions:
         data = self._data
         data.qpos[ARM] = joints
         data.qpos[FINGERS] = opening
-        if self._load is not None:
-            address, object_in_tool = self._load
-            pose = forward(joints) @ object_in_tool
-            data.qpos[address : address + 3] = pose[:3, 3]
-            mujoco.mju_mat2Quat(data.qpos[address + 3 : address + 7], pose[:3, :3].reshape(-1))
+        self._bring_along(joints)
         mujoco.mj_kinematics(self._model, data)
         mujoco.mj_collision(self._model, data)
         if data.ncon == 0:
@@ -117,42 +114,48 @@ class Collisions:
         hits = np.flatnonzero(data.contact.dist[: data.ncon] < limit)
         if len(hits) == 0:
             return None
-        first, second = pairs[hits[0]]
+        first, second = pairs[hits[0]].tolist()
         if self._is_robot[second] or self._carried[second]:
             first, second = second, first
-        return Collision(self._labels[first], self._labels[second])
+        place = data.contact.pos[hits[0]]
+        return Collision(self._label(first, place), self._label(second, place))
 
     def any_along(self, path: Iterable[Array], opening: float, clearance: float) -> bool:
         """Whether the arm would hit anything at one of these joint angles."""
-        return any(self.find(joints, opening, clearance) is not None for joints in path)
+        return self.first_along(path, opening, clearance) is not None
 
-    def _set_masks(self, geoms: NDArray[np.bool_], contype: int, conaffinity: int) -> None:
+    def first_along(
+        self, path: Iterable[Array], opening: float, clearance: float
+    ) -> Collision | None:
+        """The first collision of the arm at one of these joint angles, or None."""
+        found = (self.find(joints, opening, clearance) for joints in path)
+        return next((collision for collision in found if collision is not None), None)
+
+    @abstractmethod
+    def _bring_along(self, joints: Array) -> None:
+        """Put what is carried where the hand takes it."""
+        ...
+
+    @abstractmethod
+    def _label(self, geom: int, place: Array) -> str:
+        """What a geom is called that was hit at a place, base frame, shape (3,) [m]."""
+        ...
+
+    def _robot_label(self, geom: int) -> str:
+        body = self._model.body(self._model.geom_bodyid[geom]).name
+        return "the gripper" if body in _HAND else "the arm"
+
+    def _set_masks(self, geoms: NDArray[np.bool_], contype: int) -> None:
         geoms = geoms & self._solid
         self._model.geom_contype[geoms] = contype
-        self._model.geom_conaffinity[geoms] = conaffinity
+        self._model.geom_conaffinity[geoms] = _MEETS[contype]
         # MuJoCo sorts out whole bodies first, by the union of their geoms' bits.
         bodies = np.unique(self._model.geom_bodyid[geoms])
         self._model.body_contype[bodies] = contype
-        self._model.body_conaffinity[bodies] = conaffinity
+        self._model.body_conaffinity[bodies] = _MEETS[contype]
 
 
 def _robot_bodies(model: mujoco.MjModel) -> NDArray[np.bool_]:
     """Which bodies are part of the arm, shape (nbody,)."""
     root = model.body_rootid[model.body("hand").id]
     return model.body_rootid == root
-
-
-def _labels(model: mujoco.MjModel, bodies: dict[str, ObjectBody]) -> list[str]:
-    """What each geom is called when it is hit, one per geom."""
-    names = {body.body_id: name for name, body in bodies.items()}
-    robot = _robot_bodies(model)
-
-    def label(geom: int) -> str:
-        body = int(model.geom_bodyid[geom])
-        if body in names:
-            return names[body]
-        if robot[body]:
-            return "the gripper" if model.body(body).name in _HAND else "the arm"
-        return f"the {model.geom(geom).name or 'table'}"
-
-    return [label(geom) for geom in range(model.ngeom)]

@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.worlds.simulators.mujoco.cameras import Cloud
+from app.worlds.simulators.mujoco.cloud import Cloud
 
 Array = NDArray[np.float64]
 

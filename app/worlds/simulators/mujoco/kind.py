@@ -5,6 +5,7 @@ from abc import ABC, abstractmethod
 import numpy as np
 
 from app.domain.world import ObjectKind
+from app.worlds.simulators.mujoco.articulation import Articulation
 from app.worlds.simulators.mujoco.colours import Colour
 from app.worlds.simulators.mujoco.opening import Opening
 from app.worlds.simulators.mujoco.solid import Solid
@@ -31,8 +32,12 @@ class Kind(ABC):
     round: bool = False
     """Its length and its width are the same."""
     container: bool = False
+    faces: bool = False
+    """Its front, -x, is turned towards the robot where its client does not say how it stands."""
     density: float = 600.0
     """Of its collision geoms [kg/m³]; what is hollow inside is lighter than its material."""
+    part_density: float = 600.0
+    """The same of its moving part, if it has one."""
 
     @abstractmethod
     def build(self, solid: Solid, size: Size, colour: Colour) -> None:
@@ -42,6 +47,15 @@ class Kind(ABC):
         """The inside of a container of this size; None of what is no container."""
         del size  # Unused.
         return None
+
+    def articulation(self, size: Size) -> Articulation | None:
+        """The moving part of what has a drawer, a door or a lid."""
+        del size  # Unused.
+        return None
+
+    def build_part(self, solid: Solid, size: Size, colour: Colour) -> None:
+        """Shape the moving part, in its own frame."""
+        raise NotImplementedError(f"a {self.name} has no moving part")
 
     def grip(self, size: Size) -> float:
         """The least horizontal span a gripper must open to, to take it from above [m]."""

@@ -10,6 +10,9 @@ import math
 import frankik
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from app.domain.pose import Pose
 
 Array = NDArray[np.float64]
 
@@ -28,6 +31,12 @@ TOLERANCE = 1e-4
 """How far a solution's pose may be from the one asked for, in any entry of the transform."""
 LINE_STEP = 0.01
 """Distance between neighbouring poses of a straight line [m]."""
+SHOULDER = np.array([0.0, 0.0, 0.333])
+"""Around it the arm reaches about as far in every direction [m]."""
+MISSES = (0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5)
+"""How much nearer the shoulder a pose is tried that is out of reach [m]."""
+NEAR_LIMIT = 0.15
+"""A joint so near its limit is said to be there [rad]."""
 LARGEST_TURN = 0.25
 """The most a joint may turn from one pose of a line to the next [rad]."""
 
@@ -70,6 +79,34 @@ def inverse(tool: Array, near: Array, sweep: Array = SWEEP) -> Array:
     apart = np.abs(found - near)  # (n, 7)
     cost = apart.max(axis=1, initial=0.0) + 0.3 * np.sqrt((apart**2).sum(axis=1))
     return found[np.argsort(cost, kind="stable")]
+
+
+def missed(tool: Array, near: Array) -> str:
+    """How far a pose without a solution is out of reach, and what stops the arm there.
+
+    Args:
+        tool: pose of the tool in the base frame, shape (4, 4).
+        near: joint angles to stay close to, shape (7,) [rad].
+    """
+    inwards = SHOULDER - tool[:3, 3]
+    inwards /= np.linalg.norm(inwards)
+    for distance in MISSES:
+        pulled = tool.copy()
+        pulled[:3, 3] += inwards * distance
+        found = inverse(pulled, near)
+        if len(found):
+            spare = np.minimum(found - LOWER, UPPER - found).min(axis=0)  # (7,)
+            joint = int(np.argmin(spare)) + 1
+            stop = f", where joint {joint} is at its limit" if spare.min() < NEAR_LIMIT else ""
+            return f"it is missed by {distance:.2f} m{stop}"
+    return "no joint angles turn the gripper that way around there"
+
+
+def pose(tool: Array) -> Pose:
+    """A homogeneous transform, shape (4, 4), as position and quaternion."""
+    x, y, z = tool[:3, 3].tolist()
+    a, b, c, d = Rotation.from_matrix(tool[:3, :3]).as_quat(scalar_first=True).tolist()
+    return Pose(position=(x, y, z), quaternion=(a, b, c, d))
 
 
 def _reaches(joints: Array, tool: Array) -> bool:

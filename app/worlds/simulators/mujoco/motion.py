@@ -12,10 +12,10 @@ Array = NDArray[np.float64]
 Blocked = Callable[[Array], bool]
 """Whether the arm would hit something at these joint angles, shape (7,) [rad]."""
 
-SPEED_LIMITS = 0.8 * np.array([2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61])
-"""Four fifths of the maker's joint speed limits [rad/s]."""
-ACCELERATION_LIMITS = 0.6 * np.array([15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0])
-"""Three fifths of the maker's joint acceleration limits [rad/s²]."""
+SPEED_LIMITS = 0.9 * np.array([2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61])
+"""Nine tenths of the maker's joint speed limits [rad/s]."""
+ACCELERATION_LIMITS = 0.8 * np.array([15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0])
+"""Four fifths of the maker's joint acceleration limits [rad/s²]."""
 RESOLUTION = 0.06
 """The most a joint turns between two checks along an edge [rad]."""
 STRIDE = 0.25

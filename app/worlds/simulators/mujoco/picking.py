@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.domain.errors import ActionFailure
 from app.worlds.simulators.mujoco import kinematics
-from app.worlds.simulators.mujoco.cameras import Cloud
+from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.collision import Collisions
 from app.worlds.simulators.mujoco.grasp import (
     FLAT,
@@ -80,6 +80,8 @@ class Picking:
         self._destination = destination
         self._rng = rng
         self._turned_down: Counter[str] = Counter()
+        self._examples: dict[str, Array] = {}
+        """For each reason, the tool's pose that was first turned down for it."""
 
     def choose(self, name: str, cloud: Cloud, banned: Sequence[Grasp]) -> Pick:
         """The best pick that can be carried out.
@@ -92,13 +94,17 @@ class Picking:
         Raises:
             ActionFailure: there is none; the reason is the commonest obstacle.
         """
+        with self._collisions.grasping(name, cloud):
+            return self._choose(name, cloud, banned)
+
+    def _choose(self, name: str, cloud: Cloud, banned: Sequence[Grasp]) -> Pick:
         examined = 0
         for grasps in self._tiers(cloud):
             allowed = [g for g in grasps if not any(g.like(other, 0.015) for other in banned)]
             for grasp in distinct(allowed, MOST):
                 examined += 1
                 if self._turned_down[_NO_PATH] >= SEARCHES:
-                    raise ActionFailure("reach", f"no grasp of {name} can be reached: {_NO_PATH}")
+                    raise self._failure(name, examined)
                 for pick in self._picks(grasp, cloud):
                     return pick
         raise self._failure(name, examined)
@@ -116,10 +122,16 @@ class Picking:
         if examined == 0:
             return ActionFailure("grasp", f"no grasp found: nothing of {name} fits the gripper")
         reason, _ = self._turned_down.most_common(1)[0]
+        stage, tool = "reach", self._examples[reason]
+        if reason == _TOO_FAR:
+            stage, reason = "unreachable", f"{reason}: {kinematics.missed(tool, self._start)}"
         return ActionFailure(
-            "unreachable" if reason == _TOO_FAR else "reach",
-            f"no grasp of {name} can be reached: {reason}",
+            stage, f"no grasp of {name} can be reached: {reason}", pose=kinematics.pose(tool)
         )
+
+    def _turn_down(self, reason: str, tool: Array) -> None:
+        self._turned_down[reason] += 1
+        self._examples.setdefault(reason, tool)
 
     def _picks(self, grasp: Grasp, cloud: Cloud) -> Iterator[Pick]:
         """The ways to carry out a grasp, either finger on either side."""
@@ -129,7 +141,7 @@ class Picking:
             tool[:3, :2] *= side
             postures = kinematics.inverse(tool, self._start)[:BRANCHES]
             if len(postures) == 0:
-                self._turned_down[_TOO_FAR] += 1
+                self._turn_down(_TOO_FAR, tool)
             for joints in postures:
                 pick = self._pick(grasp, tool, joints, (LARGEST_OPENING, widest), cloud)
                 if pick is not None:
@@ -138,7 +150,7 @@ class Picking:
     def _pick(
         self, grasp: Grasp, tool: Array, joints: Array, openings: Sequence[float], cloud: Cloud
     ) -> Pick | None:
-        opening = self._opening(joints, openings)
+        opening = self._opening(tool, joints, openings)
         if opening is None:
             return None
         before = tool.copy()
@@ -149,11 +161,12 @@ class Picking:
         lift = self._line(tool, above, joints)
         if approach is None or lift is None:
             return None
-        if self._collisions.any_along(approach[1:], opening, TOUCHING):
-            self._turned_down["something is in the way of the gripper"] += 1
+        collision = self._collisions.first_along(approach[1:], opening, TOUCHING)
+        if collision is not None:
+            self._turn_down(f"collision of {collision} on the way to it", tool)
             return None
         if not self._can_put_down(tool, lift[-1], cloud):
-            self._turned_down["held that way it could not be put down there"] += 1
+            self._turn_down("held that way it could not be put down there", tool)
             return None
         reach = free_path(
             self._start,
@@ -162,22 +175,22 @@ class Picking:
             self._rng,
         )
         if reach is None:
-            self._turned_down[_NO_PATH] += 1
+            self._turn_down(_NO_PATH, tool)
             return None
         return Pick(grasp, opening, reach, approach[::-1], lift)
 
-    def _opening(self, joints: Array, openings: Sequence[float]) -> float | None:
+    def _opening(self, tool: Array, joints: Array, openings: Sequence[float]) -> float | None:
         for opening in openings:
             collision = self._collisions.find(joints, opening, TOUCHING)
             if collision is None:
                 return opening
-        self._turned_down[f"collision of {collision}"] += 1  # pyright: ignore[reportPossiblyUnboundVariable]
+        self._turn_down(f"collision of {collision}", tool)  # pyright: ignore[reportPossiblyUnboundVariable]
         return None
 
     def _line(self, start: Array, end: Array, joints: Array) -> Array | None:
         path = kinematics.line(start, end, joints)
         if path is None:
-            self._turned_down[_TOO_FAR] += 1
+            self._turn_down(_TOO_FAR, end)
         return path
 
     def _can_put_down(self, tool: Array, lifted: Array, cloud: Cloud) -> bool:

@@ -19,6 +19,8 @@ BASE_RADIUS = 0.17
 """What the foot of the arm and its elbow take; nothing reaches into it [m]."""
 TALL = 0.045
 """From this height on an object is in the way of a hand that picks what is beside it [m]."""
+FACING = 0.25
+"""What has a front faces the robot up to this [rad]."""
 _PLACES = 2
 """Keeps the stream of random numbers for places apart from others of the same seed."""
 
@@ -212,7 +214,12 @@ def _candidates(item: SceneObject, random: np.random.Generator, layout: Layout) 
     share, bearing, turn = random.random((3, layout.candidates))
     distance = np.sqrt(near**2 + share * ((REACH[1] - 0.002) ** 2 - near**2))
     bearing = (2 * bearing - 1) * layout.sector
-    yaw = np.full(len(turn), item.yaw) if item.yaw is not None else (2 * turn - 1) * np.pi
+    if item.yaw is not None:
+        yaw = np.full(len(turn), item.yaw)
+    elif kinds[item.kind or ""].faces:
+        yaw = bearing + (2 * turn - 1) * FACING
+    else:
+        yaw = (2 * turn - 1) * np.pi
     return Footprint(
         centre=np.column_stack([distance * np.cos(bearing), distance * np.sin(bearing)]).round(4),
         yaw=yaw if item.yaw is not None else yaw.round(4),

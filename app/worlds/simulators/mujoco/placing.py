@@ -1,19 +1,19 @@
 """Placing: where a held object is put down, and the arm's way there."""
 
+from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from app.domain.errors import ActionFailure
 from app.worlds.simulators.mujoco import kinematics
-from app.worlds.simulators.mujoco.collision import Carried, Collisions
+from app.worlds.simulators.mujoco.collision import Collisions
 from app.worlds.simulators.mujoco.destination import Destination, Landing
 from app.worlds.simulators.mujoco.motion import free_path
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.picking import CLEARANCE, TURNS, turned
-from app.worlds.simulators.mujoco.surface import surface_points
 
 Array = NDArray[np.float64]
 
@@ -43,6 +43,10 @@ class Place:
     """Distance of each finger from the middle at which it is let go [m]."""
 
 
+Posture = tuple[Array, Array, float]
+"""Joint angles, shape (7,); the tool's pose with them; its height where the object is let go."""
+
+
 class Placing:
     """Chooses how to put down what is in the gripper."""
 
@@ -50,14 +54,7 @@ class Placing:
         self._physics = physics
         self._collisions = collisions
         self._rng = rng
-
-    def carried(self, name: str) -> Carried:
-        """The object as it is in the gripper now."""
-        data = self._physics.stand()
-        body = self._physics.bodies[name].body_id
-        pose = np.eye(4)
-        pose[:3, :3], pose[:3, 3] = data.xmat[body].reshape(3, 3), data.xpos[body]
-        return Carried(name, np.linalg.inv(kinematics.forward(self._physics.joints)) @ pose)
+        self._obstacles: Counter[str] = Counter()
 
     def check_room(self, name: str, destination: Destination) -> None:
         """See, before it is picked up, whether there is room for the object.
@@ -65,7 +62,7 @@ class Placing:
         Raises:
             ActionFailure: there is none.
         """
-        points, middle = self._shape(name)
+        points, middle = self._collisions.shape(name)
         destination.landings(points, middle[:2], TURNS[:6:2])
 
     def choose(self, name: str, destination: Destination) -> Place:
@@ -74,44 +71,42 @@ class Placing:
         Raises:
             ActionFailure: there is none.
         """
-        points, middle = self._shape(name)
-        middle[2] = points[:, 2].min()
+        points, middle = self._collisions.shape(name)
+        middle = np.append(middle[:2], points[:, 2].min())
         landings = destination.landings(points, middle[:2], TURNS)
         postures = self._postures(landings, middle, destination.rim)
         self._collisions.refresh()
-        with self._collisions.carrying(self.carried(name)):
+        with self._collisions.carrying(name):
             for gaps in GAPS:
                 for joints, hover, height in postures[:MOST]:
                     for gap in gaps:
                         place = self._place(joints, hover, height + gap)
                         if place is not None:
                             return place
-        reason = f"no way to put {name} down there is free of collisions" if postures else (
-            f"the arm cannot hold {name} over it"
-        )  # fmt: skip
-        raise ActionFailure("place", reason)
+        raise self._failure(name, landings, postures, middle)
 
-    def _shape(self, name: str) -> tuple[Array, Array]:
-        """Surface points, shape (n, 3), and the middle, shape (3,), base frame [m]."""
-        data = self._physics.stand()
-        body = self._physics.bodies[name].body_id
-        mujoco.mj_comPos(self._physics.model, data)
-        points = surface_points(self._physics.model, data, body)
-        box = (points.min(axis=0) + points.max(axis=0)) / 2
-        return points, (box + data.xipos[body]) / 2
+    def _failure(
+        self, name: str, landings: list[Landing], postures: list[Posture], middle: Array
+    ) -> ActionFailure:
+        """Why nothing will do, and where the gripper would have had to be."""
+        start = self._physics.joints
+        if not postures:
+            hover = _over(kinematics.forward(start), middle, landings[0])
+            why = f"the arm cannot hold {name} over it: {kinematics.missed(hover, start)}"
+            return ActionFailure("place", why, pose=kinematics.pose(hover))
+        obstacle, _ = (self._obstacles or Counter(("no path to it was found",))).most_common(1)[0]
+        why = f"no way to put {name} down there is free of collisions: {obstacle}"
+        return ActionFailure("place", why, pose=kinematics.pose(postures[0][1]))
 
-    def _postures(
-        self, landings: list[Landing], middle: Array, rim: float
-    ) -> list[tuple[Array, Array, float]]:
+    def _postures(self, landings: list[Landing], middle: Array, rim: float) -> list[Posture]:
         """Joint angles over each landing, the tool's pose there, and its height when let go."""
         start = self._physics.joints
         tool = kinematics.forward(start)
         found: list[tuple[float, Array, Array, float]] = []
         for landing in landings:
             spot = landing.spot
-            hover = turned(tool, middle, landing.turn)
-            hover[:2, 3] += np.array([spot.x, spot.y]) - middle[:2]
-            let_go = hover[2, 3] - middle[2] + spot.height
+            hover = _over(tool, middle, landing)
+            let_go = hover[2, 3]
             hover[2, 3] = let_go - spot.height + max(spot.height, rim) + HOVER
             for joints in kinematics.inverse(hover, start)[:2]:
                 cost = spot.cost + MOTION_COST * float(np.abs(joints - start).max())
@@ -121,12 +116,15 @@ class Placing:
 
     def _place(self, joints: Array, hover: Array, height: float) -> Place | None:
         opening = self._physics.opening
-        if self._collisions.find(joints, opening, CLEARANCE) is not None:
+        if self._hits([joints], opening, CLEARANCE):
             return None
         bottom = hover.copy()
         bottom[2, 3] = height
         lower = kinematics.line(hover, bottom, joints)
-        if lower is None or self._collisions.any_along(lower[1:], opening, LOWERING):
+        if lower is None:
+            self._obstacles["the arm cannot get down there"] += 1
+            return None
+        if self._hits(lower[1:], opening, LOWERING):
             return None
         carry = free_path(
             self._physics.joints,
@@ -138,6 +136,12 @@ class Placing:
             return None
         return Place(carry, lower, self._let_go(lower[-1]))
 
+    def _hits(self, path: Iterable[Array], opening: float, clearance: float) -> bool:
+        collision = self._collisions.first_along(path, opening, clearance)
+        if collision is not None:
+            self._obstacles[str(collision)] += 1
+        return collision is not None
+
     def _let_go(self, joints: Array) -> float:
         """How far the fingers can open there [m]."""
         held = self._physics.opening
@@ -145,3 +149,10 @@ class Placing:
             if self._collisions.find(joints, opening, 0.0) is None:
                 return opening
         return min(OPENINGS[0], held + 0.012)
+
+
+def _over(tool: Array, middle: Array, landing: Landing) -> Array:
+    """The tool's pose where the held object rests on a spot, turned as it is to be."""
+    pose = turned(tool, middle, landing.turn)
+    pose[:3, 3] += np.array([landing.spot.x, landing.spot.y, landing.spot.height]) - middle
+    return pose

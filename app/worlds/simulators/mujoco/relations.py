@@ -16,12 +16,13 @@ from numpy.typing import NDArray
 from app.domain.condition import Relation
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.scene_builder import ObjectBody
+from app.worlds.simulators.mujoco.surface import surface_points
 
 Array = NDArray[np.float64]
 
 RELATIONS = {
-    "in": 2, "on": 2, "left_of": 2, "right_of": 2, "near": 2,
-    "upright": 1, "held": 1, "open": 1, "closed": 1,
+    "in": 2, "on": 2, "left_of": 2, "right_of": 2, "in_front_of": 2, "behind": 2, "near": 2,
+    "upright": 1, "held": 1, "open": 1, "closed": 1, "clear": 1,
 }  # fmt: skip
 """What can be decided, with the number of arguments."""
 TOUCH = 0.001
@@ -29,11 +30,16 @@ TOUCH = 0.001
 NEAR = 0.10
 """Objects whose surfaces are at most this far apart are near one another [m]."""
 BESIDE = 0.02
-"""So much farther left its centre must be for one object to be left of another [m]."""
+"""So much farther left its centre must be for one object to be left of another [m]; likewise for
+right, in front and behind."""
 UPRIGHT = math.cos(math.radians(20))
 """Its up axis, as it stood when placed, leans at most so far."""
 HEAP = 0.03
 """What lies on other contents may begin this far above the rim and still be in the container [m]."""
+SUNK = 0.002
+"""What lies on the container itself must reach so far below its rim to be in it [m]."""
+AJAR, SHUT = 0.6, 0.08
+"""What has a lid, door or drawer is open from this share of its travel on, and closed up to that."""
 CARRIES = 0.5
 """The upward part of the normal from which on a contact carries what is above it."""
 
@@ -51,7 +57,10 @@ class Relations:
         self._data = mujoco.MjData(self._model)
         self._fingers = {self._model.body(f"{side}_finger").id for side in ("left", "right")}
         robot = self._model.body_rootid == self._model.body_rootid[self._model.body("hand").id]
-        objects = {body.body_id for body in self._bodies.values()}
+        self._owner = np.arange(self._model.nbody)
+        for body in self._bodies.values():
+            self._owner[list(body.parts)] = body.body_id
+        objects = {part for body in self._bodies.values() for part in body.parts}
         self._ground = {
             body for body in range(self._model.nbody) if body not in objects and not robot[body]
         }
@@ -64,10 +73,14 @@ class Relations:
         - ``on(a, b)``: b carries a's weight from below, or b is flat, a plate or a tray, and a is
           in it.
         - ``left_of(a, b)``: a's centre is at least ``BESIDE`` farther to the robot's left (+y).
+        - ``in_front_of(a, b)``: a's centre is at least ``BESIDE`` nearer to the robot (-x), which looks
+          over the table from its base; ``behind(a, b)``: so much farther away.
         - ``near(a, b)``: their surfaces are at most ``NEAR`` apart.
         - ``upright(a)``: a stands as it was placed, leaning at most 20 degrees.
         - ``held(a)``: both fingers touch a.
-        - ``open(a)``: a is a container; none here has a lid, so ``closed(a)`` is never true.
+        - ``open(a)``: a is a container, and its lid, door or drawer, if it has one, is open.
+        - ``closed(a)``: a has a lid, door or drawer, and it is shut; it may be neither.
+        - ``clear(a)``: nothing is on a.
         """
         items = [self._bodies.get(name) for name in relation.arguments]
         if None in items or len(items) != RELATIONS.get(relation.name):
@@ -76,7 +89,7 @@ class Relations:
         return _DECIDE[relation.name](self, *items)
 
     def facts(self) -> frozenset[Relation]:
-        """Every ``in``, ``on`` and ``held`` that is true now."""
+        """Every ``in``, ``on`` and ``held`` that is true now, and what can be shut: open or closed."""
         self._observe()
         bodies = self._bodies.values()
         true = [
@@ -86,7 +99,38 @@ class Relations:
             if first is not second and _DECIDE[name](self, first, second)
         ]
         true += [Relation("held", (item.name,)) for item in bodies if self._held(item)]
-        return frozenset(true)
+        return frozenset(true) | self.shutting()
+
+    def shutting(self) -> frozenset[Relation]:
+        """Which of what has a lid, a door or a drawer is open, and which closed."""
+        self._observe()
+        return frozenset(
+            Relation(name, (item.name,))
+            for item in self._bodies.values()
+            for name in ("open", "closed")
+            if item.joint is not None and _DECIDE[name](self, item)
+        )
+
+    def place(self, name: str) -> Array:
+        """What counts as an object's middle, shape (2,): of its bounding box and its mass [m]."""
+        data = self._physics.stand()
+        mujoco.mj_comPos(self._physics.model, data)
+        body = self._bodies[name].body_id
+        points = surface_points(self._physics.model, data, body)
+        box = (points.min(axis=0) + points.max(axis=0)) / 2
+        return ((box + data.xipos[body]) / 2)[:2]
+
+    def extent(self, name: str) -> Array:
+        """Half the width of an object along x and along y as it stands now, shape (2,) [m]."""
+        data = self._physics.stand()
+        points = surface_points(self._physics.model, data, self._bodies[name].body_id)
+        return ((points.max(axis=0) - points.min(axis=0)) / 2)[:2]
+
+    def on_table(self, name: str) -> bool:
+        """Whether an object touches the table and nothing holds it."""
+        self._observe()
+        item = self._bodies[name]
+        return self._on_ground(item) and not self._held(item)
 
     def every_fact(self) -> frozenset[Relation]:
         """Everything that is true now, of all relations."""
@@ -104,7 +148,7 @@ class Relations:
         data.qpos[:] = self._physics.data.qpos
         mujoco.mj_kinematics(self._model, data)
         mujoco.mj_collision(self._model, data)
-        pairs = self._model.geom_bodyid[data.contact.geom[: data.ncon]].reshape(-1, 2)
+        pairs = self._owner[self._model.geom_bodyid[data.contact.geom[: data.ncon]]].reshape(-1, 2)
         upward = data.contact.frame[: data.ncon].reshape(-1, 9)[:, 2]
         self._touching: set[tuple[int, int]] = set()
         self._carrying: set[tuple[int, int]] = set()
@@ -142,16 +186,19 @@ class Relations:
         if opening is None or item is container:
             return False
         data = self._data
-        rotation = data.xmat[container.body_id].reshape(3, 3)
-        centre = rotation.T @ (data.xipos[item.body_id] - data.xpos[container.body_id])
+        rotation = data.xmat[container.cavity].reshape(3, 3)
+        centre = rotation.T @ (data.xipos[item.body_id] - data.xpos[container.cavity])
         half = np.array(opening.half_extents)
         if opening.shape == "round":
             within = float(np.hypot(*(centre[:2] / half))) < 1.0
         else:
             within = bool(np.all(np.abs(centre[:2]) < half))
-        rim = float(data.xpos[container.body_id][2]) + opening.rim
-        heaped = opening.flat or self._lowest(item) < rim + HEAP
-        return within and centre[2] > opening.floor and heaped
+        if not within or centre[2] <= opening.floor:
+            return False
+        above = self._lowest(item) - float(data.xpos[container.cavity][2]) - opening.rim
+        # What lies across the rim, as a pen over a cup, touches the container and hangs over it.
+        touches = (item.body_id, container.body_id) in self._touching
+        return opening.flat or above < (-SUNK if touches else HEAP)
 
     def _on(self, item: ObjectBody, support: ObjectBody) -> bool:
         if item is support or self._held(item):
@@ -172,12 +219,29 @@ class Relations:
     def _upright(self, item: ObjectBody) -> bool:
         return bool(self._data.xmat[item.body_id][8] > UPRIGHT)
 
+    def _in_front_of(self, item: ObjectBody, other: ObjectBody) -> bool:
+        return self._behind(other, item)
+
+    def _behind(self, item: ObjectBody, other: ObjectBody) -> bool:
+        x = self._data.xipos[:, 0]
+        return bool(x[item.body_id] - x[other.body_id] > BESIDE)
+
     def _open(self, item: ObjectBody) -> bool:
+        if item.joint is not None:
+            return self._travel(item) > AJAR
         return item.opening is not None
 
     def _closed(self, item: ObjectBody) -> bool:
-        del item  # Unused: nothing here has a lid.
-        return False
+        return item.joint is not None and self._travel(item) < SHUT
+
+    def _travel(self, item: ObjectBody) -> float:
+        """How far its lid, door or drawer has moved from shut, 0, to wholly open, 1."""
+        assert item.joint is not None
+        low, high = self._model.jnt_range[item.joint]
+        return float((self._data.qpos[self._model.jnt_qposadr[item.joint]] - low) / (high - low))
+
+    def _clear(self, item: ObjectBody) -> bool:
+        return not any(self._on(other, item) for other in self._bodies.values())
 
     def _near(self, item: ObjectBody, other: ObjectBody) -> bool:
         if item is other or self._far_apart(item, other):
@@ -196,9 +260,8 @@ class Relations:
 
     def _solid(self, item: ObjectBody) -> list[int]:
         """The geoms of an object that touch others."""
-        start = int(self._model.body_geomadr[item.body_id])
-        geoms = range(start, start + int(self._model.body_geomnum[item.body_id]))
-        return [geom for geom in geoms if self._model.geom_contype[geom]]
+        own = np.isin(self._model.geom_bodyid, item.parts)
+        return np.flatnonzero(own & (self._model.geom_contype != 0)).tolist()
 
     def _lowest(self, item: ObjectBody) -> float:
         """Height of the lowest corner of its geoms' bounding boxes [m]."""

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from app.worlds.simulators.mujoco.cameras import Cloud
+from app.worlds.simulators.mujoco.cloud import Cloud
 
 Array = NDArray[np.float64]
 
@@ -20,6 +20,14 @@ OVERHANG_COST = 0.15
 """What it costs, in metres of height, if all of the object overhangs the edge."""
 CENTRE_COST = 0.12
 """What it costs, in metres of height, to be a metre off the middle."""
+ACROSS_COST = 0.1
+"""What it costs, in metres of height, to lie across the rim of a container."""
+SUNK = 0.004
+"""What lies no deeper below the rim lies on it [m]."""
+LEVEL = 0.006
+"""Cells so little lower than what bears the object bear it as well [m]."""
+LEVER = 0.04
+"""What bears an object must be so far to one side of its middle for it to tip [m]."""
 FLAT = 0.002
 """Heights that differ by no more than this are one level [m]."""
 
@@ -73,13 +81,14 @@ class Relief:
         self.usable = cells
         self.heights = np.where(cells & self._unknown, self._beside, self.heights)
 
-    def spots(self, under: Array, centre: Array) -> list[Spot]:
+    def spots(self, under: Array, centre: Array, rim: float = np.inf) -> list[Spot]:
         """Places for an object, the best first.
 
         Args:
             under: points of the object, relative to its centre (x, y) and its lowest point (z),
                 shape (n, 3) [m].
             centre: the preferred place, shape (2,) [m].
+            rim: height of a container's edge; what would lie across it is not in it [m].
         """
         at = np.argwhere(self.usable)
         at = at[(at % STEP == 0).all(axis=1)]
@@ -91,12 +100,19 @@ class Relief:
         on_grid = self._contains(cells)
         clipped = np.clip(cells, 0, self._count - 1)
         ground = np.where(on_grid, self.heights[clipped[..., 0], clipped[..., 1]], 0.0)
-        heights = (ground - under_heights).max(axis=1)
+        gaps = ground - under_heights
+        heights = gaps.max(axis=1)
         usable = self.usable[clipped[..., 0], clipped[..., 1]] & on_grid
         overhang = 1 - usable.mean(axis=1)
         places = self.places[at[:, 0], at[:, 1]]
         away = np.linalg.norm(places - centre, axis=1)
         cost = heights + OVERHANG_COST * overhang + CENTRE_COST * away
+        high = heights > rim - SUNK
+        if high.any():
+            # Borne on one side of its middle only, it tips and slides in; borne on both, it stays.
+            bears = gaps[high] > heights[high, None] - LEVEL
+            lever = (bears.astype(float) @ offsets) * CELL / bears.sum(axis=1, keepdims=True)
+            cost[high] += ACROSS_COST * (np.linalg.norm(lever, axis=1) < LEVER)
         order = np.argsort(cost, kind="stable")
         return [
             Spot(float(places[k, 0]), float(places[k, 1]), float(heights[k]), float(cost[k]))
@@ -127,6 +143,9 @@ class Relief:
 
 def _lower_hull(offsets: NDArray[np.int_], heights: Array) -> tuple[NDArray[np.int_], Array]:
     """The lowest point over each cell."""
-    order = np.lexsort((heights, offsets[:, 1], offsets[:, 0]))
-    cells, first = np.unique(offsets[order], axis=0, return_index=True)
-    return cells, heights[order][first]
+    low = offsets.min(axis=0)
+    local = offsets - low
+    lowest = np.full(local.max(axis=0) + 1, np.inf)
+    np.minimum.at(lowest, tuple(local.T), heights)
+    cells = np.argwhere(np.isfinite(lowest))
+    return cells + low, lowest[tuple(cells.T)]

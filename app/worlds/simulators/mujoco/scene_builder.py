@@ -9,10 +9,17 @@ import mujoco
 import numpy as np
 
 from app.domain.scene import Scene, SceneObject
+from app.worlds.simulators.mujoco.articulation import Articulation
 from app.worlds.simulators.mujoco.colours import css
 from app.worlds.simulators.mujoco.objects import kinds
 from app.worlds.simulators.mujoco.opening import Opening
-from app.worlds.simulators.mujoco.solid import CONTACT_DIMENSIONS, FRICTION, Solid
+from app.worlds.simulators.mujoco.solid import (
+    CONTACT_DIMENSIONS,
+    FRICTION,
+    STIFFNESS,
+    VISUAL_GROUP,
+    Solid,
+)
 
 TABLE_HALF_EXTENTS = (0.55, 0.75, 0.02)
 TABLE_CENTRE = (0.35, 0.0, -0.02)
@@ -42,6 +49,15 @@ class ObjectBody:
     """From the body's origin to the farthest corner of its footprint [m]."""
     height: float
     opening: Opening | None
+    parts: tuple[int, ...]
+    """All its bodies, itself first: a drawer's box moves in its chest."""
+    cavity: int
+    """The body in whose frame the opening is."""
+    articulation: Articulation | None = None
+    joint: int | None = None
+    """The joint of its moving part, if it has one."""
+    start: float = 0.0
+    """Where that joint stands at first [m] or [rad]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,24 +68,26 @@ class BuiltScene:
     bodies: dict[str, ObjectBody]
 
 
-def build(scene: Scene) -> BuiltScene:
+def build(scene: Scene, *, visuals: bool = True) -> BuiltScene:
     """Compile a completed scene (see ``placement.complete``); the same scene, the same model.
 
     Geoms of group 2 are to be looked at, those of group 3 collide and are seen by ray cameras;
     ``table`` and ``floor``, of group 0, are all of it. Bodies are named ``object/<index>``.
+    Without ``visuals``, what is only to be looked at is left out: the coordinates are the same, and
+    the model is ready several times sooner.
     """
-    spec = _furnished().copy()
+    spec = furnished(visuals=visuals).copy()
     for index, item in enumerate(scene.objects):
-        _add_object(spec, f"object/{index}", item)
+        add_object(spec, f"object/{index}", item, visuals=visuals)
     model = spec.compile()
     bodies = {
-        item.name: _located(model, f"object/{index}", item)
+        item.name: located(model, f"object/{index}", item, shut=_begins_shut(scene, item))
         for index, item in enumerate(scene.objects)
     }
     return BuiltScene(model=model, bodies=bodies)
 
 
-def _add_object(spec: mujoco.MjSpec, body_name: str, item: SceneObject) -> None:
+def add_object(spec: mujoco.MjSpec, body_name: str, item: SceneObject, *, visuals: bool) -> None:
     if not (item.kind and item.size and item.colour and item.position) or item.yaw is None:
         raise ValueError(f"{item.name!r} is not completed")
     kind = kinds[item.kind]
@@ -82,16 +100,56 @@ def _add_object(spec: mujoco.MjSpec, body_name: str, item: SceneObject) -> None:
     body.add_freejoint(name=f"{body_name}/free")
     solid = Solid(spec, body, kind.density)
     kind.build(solid, item.size, css(item.colour))
-    solid.finish()
+    if visuals:
+        solid.finish()
+    articulation = kind.articulation(item.size)
+    if articulation is not None:
+        part = _add_part(body, articulation)
+        moving = Solid(spec, part, kind.part_density)
+        kind.build_part(moving, item.size, css(item.colour))
+        if visuals:
+            moving.finish()
 
 
-def _located(model: mujoco.MjModel, body_name: str, item: SceneObject) -> ObjectBody:
+def _add_part(body: mujoco.MjsBody, articulation: Articulation) -> mujoco.MjsBody:
+    """The moving part of an object, on its joint."""
+    part = body.add_body(name=f"{body.name}/part", pos=articulation.pivot)
+    sliding = articulation.joint == "slide"
+    joint = mujoco.mjtJoint.mjJNT_SLIDE if sliding else mujoco.mjtJoint.mjJNT_HINGE
+    part.add_joint(
+        name=f"{body.name}/joint",
+        type=joint,
+        axis=articulation.axis,
+        range=(0, articulation.travel),
+        limited=mujoco.mjtLimited.mjLIMITED_TRUE,
+        frictionloss=articulation.friction,
+        damping=articulation.friction / 2,
+        armature=0.01 if sliding else 0.0005,
+    )
+    return part
+
+
+def _begins_shut(scene: Scene, item: SceneObject) -> bool:
+    """As its client says; else it is open if the robot could not open it."""
+    said = dict(item.properties).get("state")
+    return said == "closed" or (said != "open" and "open" in (scene.actions or ()))
+
+
+def located(model: mujoco.MjModel, body_name: str, item: SceneObject, *, shut: bool) -> ObjectBody:
     kind, size = kinds[item.kind or ""], item.size or (0.0, 0.0, 0.0)
     joint = model.joint(f"{body_name}/free")
+    body_id = int(model.body(body_name).id)
+    articulation = kind.articulation(size)
+    part = None if articulation is None else int(model.body(f"{body_name}/part").id)
     return ObjectBody(
         name=item.name,
         kind=kind.name,
-        body_id=model.body(body_name).id,
+        body_id=body_id,
+        parts=(body_id,) if part is None else (body_id, part),
+        cavity=part if part is not None and articulation and articulation.holds else body_id,
+        articulation=articulation,
+        joint=None if part is None else int(model.body_jntadr[part]),
+        start=0.0 if articulation is None or shut else articulation.travel,
         qpos_address=int(joint.qposadr[0]),
         dof_address=int(joint.dofadr[0]),
         footprint_radius=float(np.hypot(*kind.half_extents(size))),
@@ -101,9 +159,11 @@ def _located(model: mujoco.MjModel, body_name: str, item: SceneObject) -> Object
 
 
 @cache
-def _furnished() -> mujoco.MjSpec:
+def furnished(*, visuals: bool) -> mujoco.MjSpec:
     """What is the same in every scene; read once, copied for each."""
     spec = _panda()
+    if not visuals:
+        _strip(spec)
     spec.modelname = "tabletop"
     spec.option.timestep = 0.002
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
@@ -112,6 +172,15 @@ def _furnished() -> mujoco.MjSpec:
     spec.option.impratio = 10
     _add_room(spec)
     return spec
+
+
+def _strip(spec: mujoco.MjSpec) -> None:
+    """Take out what is only to be looked at."""
+    for geom in [geom for geom in spec.geoms if geom.group == VISUAL_GROUP]:
+        spec.delete(geom)
+    used = {geom.meshname for geom in spec.geoms}
+    for mesh in [mesh for mesh in spec.meshes if mesh.name not in used]:
+        spec.delete(mesh)
 
 
 def _add_room(spec: mujoco.MjSpec) -> None:
@@ -135,6 +204,7 @@ def _add_room(spec: mujoco.MjSpec) -> None:
         rgba=css("#cfae88"),
         friction=FRICTION,
         condim=CONTACT_DIMENSIONS,
+        solref=STIFFNESS,
     )
     long, wide, thick = TABLE_HALF_EXTENTS
     leg = (-FLOOR_HEIGHT - 2 * thick) / 2
@@ -155,17 +225,29 @@ def _panda() -> mujoco.MjSpec:
         body.gravcomp = 1
     spec.body("hand").add_site(name="tcp", pos=TCP_IN_HAND, size=(0.004, 0.004, 0.004), group=4)
     for finger in ("left_finger", "right_finger"):
-        for geom in spec.body(finger).geoms:
-            if geom.type == mujoco.mjtGeom.mjGEOM_BOX:
-                geom.priority = 1  # a pad's friction counts, whatever it touches
-                geom.friction = PAD_FRICTION
-                geom.condim = CONTACT_DIMENSIONS
+        _pad(spec, spec.body(finger))
     gripper = spec.actuator("actuator8")
     gripper.gainprm[0] = GRIPPER_GAIN * FINGER_STROKE / 255  # its control runs from 0 to 255
     gripper.biasprm[1] = -GRIPPER_GAIN
     gripper.biasprm[2] = -GRIPPER_DAMPING
     gripper.forcerange = (-GRIPPER_FORCE, GRIPPER_FORCE)
     return spec
+
+
+def _pad(spec: mujoco.MjSpec, finger: mujoco.MjsBody) -> None:
+    """One flat pad in place of the maker's plate with four studs: a quarter of the contacts."""
+    plate, *studs = [geom for geom in finger.geoms if geom.type == mujoco.mjtGeom.mjGEOM_BOX]
+    for stud in studs:
+        spec.delete(stud)
+    for geom in finger.geoms:
+        geom.solref = STIFFNESS
+    across, _, along = plate.size
+    x, y, z = plate.pos
+    depth = y + plate.size[1]  # its back stays, its face comes to where the studs' tops were
+    plate.pos, plate.size = (x, depth / 2, z), (across, depth / 2, along)
+    plate.priority = 1  # a pad's friction counts, whatever it touches
+    plate.friction = PAD_FRICTION
+    plate.condim = CONTACT_DIMENSIONS
 
 
 def _panda_file() -> Path:

@@ -2,12 +2,18 @@
 
 from dataclasses import dataclass
 
-from app.worlds.simulators.mujoco.cameras import Cameras, Cloud
+from app.domain.perception import Perception
+from app.worlds.simulators.mujoco.beliefs import Beliefs
+from app.worlds.simulators.mujoco.cameras import Cameras
+from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.collision import Collisions
+from app.worlds.simulators.mujoco.known_collisions import KnownCollisions
+from app.worlds.simulators.mujoco.outline import KnownOutlines, Outlines, SeenOutlines
 from app.worlds.simulators.mujoco.panda import Panda
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.relations import Relations
 from app.worlds.simulators.mujoco.scene_builder import BuiltScene
+from app.worlds.simulators.mujoco.seen_collisions import SeenCollisions
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -18,27 +24,38 @@ class Workcell:
     panda: Panda
     cameras: Cameras
     collisions: Collisions
-    relations: Relations
+    outlines: Outlines
+    relations: Relations | Beliefs
+    """What the robot takes to be true."""
+    truth: Relations
+    """What is true; for scoring, not for the robot."""
 
     @classmethod
-    def over(cls, built: BuiltScene) -> "Workcell":
-        """The workcell of a built scene."""
+    def over(
+        cls, built: BuiltScene, perception: Perception | None = None, seed: int = 0
+    ) -> "Workcell":
+        """The workcell of a built scene.
+
+        Args:
+            built: the scene.
+            perception: how the robot sees; None for privileged perception.
+            seed: of the cameras' noise and confusions.
+        """
+        perception = perception or Perception(source="privileged")
         physics = Physics(built)
-        return cls(
-            physics,
-            Panda(physics),
-            Cameras(physics),
-            Collisions(physics),
-            Relations(physics),
-        )
+        cameras, truth = Cameras(physics, perception, seed), Relations(physics)
+        if perception.source == "privileged":
+            collisions, outlines, relations = (
+                KnownCollisions(physics),
+                KnownOutlines(physics),
+                truth,
+            )
+        else:
+            collisions = SeenCollisions(physics, cameras)
+            outlines, relations = SeenOutlines(), Beliefs(physics, cameras, truth)
+        panda = Panda(physics)
+        return cls(physics, panda, cameras, collisions, outlines, relations, truth)
 
     def look_at(self, *names: str) -> dict[str, Cloud]:
         """Clouds of what is seen, the named ones and what is next to them from close up."""
-        seen = self.cameras.overview()
-        finest = dict(seen)
-        for name in names:
-            if name in seen:
-                for other, cloud in self.cameras.close_up(seen[name]).items():
-                    # At the edge of a close-up, only a part of a neighbour may be in view.
-                    finest[other] = max(cloud, finest.get(other, cloud), key=len)
-        return finest
+        return self.cameras.look(*names)

@@ -17,7 +17,6 @@ class Box(Kind):
             "open box",
             "crate",
             "chest",
-            "drawer",
             "shelf",
             "toolbox",
             "tool box",
