@@ -20,13 +20,13 @@ from app.programs.sketch import (
     SketchArgument,
     SketchCall,
 )
-from app.programs.sketch_phrase import describe_phrase
-from app.programs.sketch_qualities import ordered
-from app.programs.sketch_selection import Selection
-from app.programs.sketch_sets import COLLECTIVE, is_plural, movable
+from app.programs.sketch_phrase import describe_phrase, spoken_of
+from app.programs.sketch_qualities import far_larger, ordered
+from app.programs.sketch_selection import Selection, is_container
+from app.programs.sketch_sets import COLLECTIVE, counted, is_plural, means_all, movable
 from app.programs.sketch_sharing import sharing
 from app.programs.sketch_things import Thing, listed
-from app.programs.sketch_verbs import DIRECTIONS, PERSONS, SPOKEN, place_of
+from app.programs.sketch_verbs import DIRECTIONS, LITERAL, PERSONS, SPOKEN, place_of, righted
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,12 +83,24 @@ class Composer:
         if place is None or len(names) != 2 or place > 1:
             return
         thing, target = names[1 - place], names[place]
+        if call.action not in LITERAL:
+            self._refuse_misfit(thing, target)
         if rule := hazard(thing, target):
             raise TaskDeclined(
                 f"{thing} in, on or at {target}: {rule.reason}",
                 kind="hazardous",
                 question=f"Where else should the {thing} go?",
             )
+
+    def _refuse_misfit(self, name: str, place: str) -> None:
+        """Raise ``TaskDeclined`` where one container goes into a far smaller one."""
+        by_name = {thing.name: thing for thing in self._selection.things}
+        thing, target = by_name.get(name), by_name.get(place)
+        said = set(words(self._selection.sentence))
+        if thing is None or target is None or not said & {"in", "into", "inside"}:
+            return
+        if is_container(thing) and is_container(target) and far_larger(thing, target):
+            raise TaskDeclined(f"the {name} does not fit into the {place}", kind="impossible")
 
     def _name(self, calls: Sequence[SketchCall]) -> None:
         """Note what the sketch names, so that the rest is known."""
@@ -116,6 +128,8 @@ class Composer:
         if len(call.arguments) != len(signature.parameters):
             message = f"{call.action} takes {len(signature.parameters)} arguments"
             raise ProgramRefused(Fault(field="program", message=message))
+        _refuse_beside(call, self._selection.sentence)
+        call = righted(call, signature, self._selection.sentence)
         several = [i for i, each in enumerate(call.arguments) if self._several(each)]
         place = place_of(signature, several)
         if place in several and len(several) == 1 and _any_one_of(call.arguments[place]):
@@ -187,6 +201,8 @@ class Composer:
 
     def _collective(self, phrase: Phrase) -> bool:
         """Whether the words speak of all there is of a kind: "the cutlery", "the fruit"."""
+        if means_all(phrase, self._selection.sentence):
+            return True
         found = words(phrase.text)
         mass = bool(found) and found[-1] in COLLECTIVE and not self._exactly(phrase.text.lower())
         return mass and not self._selection.indefinite(phrase.text)
@@ -209,6 +225,8 @@ class Composer:
         spread = next((each for each in call.arguments if _spread(each)), None)
         targets = self._targets(spread)
         argument = call.arguments[which]
+        if isinstance(argument, Phrase) and spread is None:
+            argument = counted(argument, self._selection.sentence)
         if isinstance(spread, Each) and isinstance(argument, Phrase) and argument.count:
             spread, argument = _for_each(spread, argument, len(targets))
         avoid = {str(each) for each in fixed.values()} | {thing.name for thing in targets}
@@ -384,3 +402,19 @@ def _any_one_of(argument: SketchArgument) -> bool:
 
 def _spread(argument: SketchArgument) -> bool:
     return isinstance(argument, Same | Each | Previous)
+
+
+def _refuse_beside(call: SketchCall, sentence: str) -> None:
+    """Raise ``TaskDeclined`` where "next to the cup" became "into the cup" for want of a verb."""
+    phrases = [each for each in call.arguments if isinstance(each, Phrase)]
+    texts = {each.text for each in phrases}
+    for phrase in phrases:
+        for key, other in spoken_of(phrase, sentence).relations:
+            if other in texts and key in BESIDE and key not in call.action:
+                raise TaskDeclined(
+                    f"{call.action} puts things in or on {other}, not {key.replace('_', ' ')} it",
+                    kind="impossible",
+                )
+
+
+BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")

@@ -19,6 +19,7 @@ from app.programs.knowledge.classes import (
 )
 from app.programs.knowledge.names import is_mark, plain, stem
 from app.programs.knowledge.synonyms import mean_the_same
+from app.programs.knowledge.word_lists import word_list
 from app.programs.knowledge.wordnet import nouns
 from app.programs.sketch_phrase import Description
 from app.programs.sketch_things import Thing
@@ -30,12 +31,16 @@ COUNTS = 0.5
 SETS = 0.7
 """From here on it is a member of a set, whatever else fits better."""
 _SLIP = 0.78
-_SORTS = frozenset(["brick", "set", "piece", "unit", "toy", "stand", "pad", "station"])
+_SORTS = frozenset(("brick", "set", "piece", "unit", "toy"))
 """Heads of a name that say less than what stands before them."""
 _DISTRUSTED = frozenset(
     (("scissors", "tool"), ("book", "stationery"), ("block", "toy"), ("ball", "toy"))
 )
 """What a catalogue says of its kinds, but people would not."""
+
+
+_OPAQUE = word_list("opaque")
+"""Names that are not what their last word says."""
 
 
 def fit(thing: Thing, described: Description) -> float:
@@ -92,14 +97,14 @@ def _known_fit(thing: Thing, wanted: str) -> float:
 def _loose_fit(thing: Thing, wanted: str, names: Sequence[str]) -> float:
     if nouns().kind_of(wanted, names[0]) >= 0.4 and not find_class(wanted):
         return WIDER
-    if (wide := classes().find(names[0])) and belonging(wanted, wide) >= 0.8:
+    if names[0] in classes().names() and belonging(wanted, classes().named(names[0])) >= 0.8:
         return WIDER
     said, had = wanted.split(), [normal(each) for each in thing.words]
     holds = normal(thing.core[-1]) in HOLDERS | _SORTS if thing.core else False
     if set(said) <= set(had) and (holds or _holds(thing, wanted)):
         return MODIFIER
     stems, others = {stem(each) for each in said}, {stem(each) for each in thing.words}
-    if stems <= others and not (set(said) & set(had)):
+    if stems <= others and min(map(len, stems)) > 3 and not classes().knows(wanted):
         return LOOSE
     return 0.0
 
@@ -166,7 +171,7 @@ def _declared(thing: Thing, wanted: str, kind: ThingClass | None) -> bool:
 def _kind(names: Sequence[str], wanted: str) -> bool:
     """Whether WordNet has the name, or its head, as a kind of what is wanted."""
     for place, name in enumerate(names):
-        if nouns().kind_of(name, wanted) >= 0.4:
+        if nouns().kind_of(name, wanted) >= 0.5:
             return True
         if place == 0 and (classes().knows(name) or nouns().knows(name)) and " " in name:
             return False
@@ -180,7 +185,7 @@ def _ends_with(core: tuple[str, ...], wanted: str) -> float:
     name = normal(" ".join(core))
     if name == wanted or name.endswith(f" {wanted}"):
         kind = find_class(wanted)
-        return 0.0 if kind and name in kind.never else HEAD
+        return 0.0 if name in _OPAQUE or (kind and name in kind.never) else HEAD
     head = name.split()[-1]
     closed = head.endswith(wanted) and len(wanted) > 2 and len(head) > len(wanted)
     kind = classes().find(wanted)
@@ -191,6 +196,8 @@ def _ends_with(core: tuple[str, ...], wanted: str) -> float:
 
 def _transparent(thing: Thing) -> bool:
     """Whether its name means what its head means, and is no likeness of it."""
+    if normal(" ".join(thing.core)) in _OPAQUE:
+        return False
     return not (UNREAL & set(thing.core[:-1])) and not nouns().knows(" ".join(thing.core))
 
 

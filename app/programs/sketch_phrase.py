@@ -204,6 +204,8 @@ def _called(rest: str, read: Description) -> tuple[str, Description]:
 
 def _adjectives(found: tuple[str, ...], read: Description) -> Description:
     """The words before the noun that tell a property, a place or an order."""
+    if len(found) > 2 and found[0] in VAGUE and found[1] in _CLAUSE:
+        return replace(read, core=found, whole=found)
     core: list[str] = []
     colours, materials, sizes = set(read.colours), set(read.materials), set(read.sizes)
     for place, word in enumerate(found):
@@ -228,6 +230,8 @@ def _adjectives(found: tuple[str, ...], read: Description) -> Description:
     )
 
 
+_CLAUSE = ("you", "that", "to", "for", "used", "which", "i", "we", "with", "one", "people", "from")
+"""After "thing" they begin what the thing is for; no word of that is a property."""
 _SILENT = ("colored", "coloured", "sized", "hand", "most", "single", "and")
 """Words before a noun that say nothing of it."""
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from app.programs.knowledge.names import plain
+from app.programs.knowledge.properties import typical_size
 from app.programs.sketch_phrase import Description, read_description
 from app.programs.sketch_things import LIKELY, Thing
 
@@ -132,3 +133,15 @@ def distance(thing: Thing, here: tuple[float, float, float]) -> float:
 
 def _sign(value: float) -> int:
     return (value > 0) - (value < 0)
+
+
+def far_larger(thing: Thing, target: Thing) -> bool:
+    """Whether it cannot fit inside the target: by both measures, else by what is typical."""
+    if thing.item.size and target.item.size:
+        return sorted(thing.item.size)[1] > 1.2 * max(target.item.size)
+    mine, theirs = typical_size(thing.name), typical_size(target.name)
+    return bool(mine and theirs and mine <= FURNITURE and mine > MISFIT * theirs)
+
+
+FURNITURE, MISFIT = 40.0, 3.5
+"""Up to which typical size [cm], and by which factor, names alone tell that it cannot fit."""

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import VAGUE, belonging, classes
+from app.programs.knowledge.classes import VAGUE, belonging, classes, normal
 from app.programs.knowledge.languages import in_english
-from app.programs.knowledge.names import is_mark, words
+from app.programs.knowledge.names import is_mark, plain, words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import Phrase
 from app.programs.sketch_matching import (
@@ -241,7 +241,7 @@ class Selection:
 
     def _qualified(self, described: Description, found: Fits, many: bool) -> Fits:
         """Those of the found ones that have what else the phrase asks for."""
-        exact = [pair for pair in found if pair[1] >= 0.97]
+        exact = [pair for pair in found if pair[1] >= 0.97 and is_called(pair[0], described)]
         if exact and not many and not described.relations:
             return found
         called = (
@@ -296,6 +296,13 @@ class Selection:
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
         return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
+
+
+def is_called(thing: Thing, described: Description) -> bool:
+    """Whether all of the words, properties included, are its name."""
+    if plain(thing.name).strip() == plain(described.text).strip():
+        return True
+    return normal(" ".join(described.whole)) in (normal(" ".join(thing.words)), thing.unmarked)
 
 
 def is_container(thing: Thing) -> bool:

@@ -1,6 +1,8 @@
 """What "everything" and "the cutlery" take in: which things count among a set nobody lists."""
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from app.programs.knowledge.classes import belonging, classes, normal
 from app.programs.knowledge.names import words
@@ -22,7 +24,7 @@ def is_plural(phrase: Phrase) -> bool:
 
 def movable(found: Sequence[Thing], selection: Selection) -> list[Thing]:
     """What "everything" means: no furniture, and nothing that stands there to be filled."""
-    kept = [t for t in found if not _stores(t)]
+    kept = [t for t in found if not _stores(t)] or list(found)
     serving = [t for t in kept if t.core and normal(t.core[-1]) in _SERVING]
     others = [t for t in kept if t not in serving]
     crockery = [t for t in others if _is(t, "dish") or _is(t, "cutlery")]
@@ -50,3 +52,25 @@ def _stores(thing: Thing) -> bool:
 
 def _is(thing: Thing, kind: str) -> bool:
     return belonging(thing.name, classes().named(kind)) >= 0.5
+
+
+def counted(phrase: Phrase, sentence: str) -> Phrase:
+    """With the number that the sentence says before the words: "one of the eggs", "two eggs"."""
+    if phrase.count is not None or phrase.quantity != "all":
+        return phrase
+    spoken = r"\s+".join(map(re.escape, phrase.text.split()))
+    pattern = rf"\b({'|'.join(_NUMBERS)})\s+(?:of\s+(?:the|these|those|my|your)\s+)?{spoken}\b"
+    said = {_NUMBERS[each.lower()] for each in re.findall(pattern, sentence, re.I)}
+    return replace(phrase, count=said.pop()) if len(said) == 1 else phrase
+
+
+def means_all(phrase: Phrase, sentence: str) -> bool:
+    """Whether "what you can write with" stands behind a single thing one can write with."""
+    said = set(words(sentence))
+    speaks = bool(said & {"what", "whatever", "everything", "anything", "all"})
+    single = bool(said & {"thing", "something", "one"})
+    return phrase.text.lower().startswith("thing ") and speaks and not single
+
+
+_SPELT = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
+_NUMBERS = {**_SPELT, **{str(number): number for number in range(1, 10)}}

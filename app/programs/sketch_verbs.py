@@ -1,15 +1,17 @@
 """The parameters of a verb of the import line: which take things, places, words or persons."""
 
+import re
 from collections.abc import Sequence
 
 from app.domain.action import ActionSignature
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketch import Phrase, SketchArgument, SketchCall
 
 PLACES = word_list("places")
 """Names of parameters that say where a thing goes."""
 SPOKEN = word_list("spoken")
 """Names of parameters that take words, not objects."""
-_LITERAL = ("push", "pour", "open", "close", "home")
+LITERAL = ("push", "pour", "open", "close", "home")
 """Verbs that nobody means who does not say so."""
 _ENGLISH = frozenset(("the", "put", "and", "on", "to", "of", "into", "with", "all", "please"))
 DIRECTIONS = word_list("directions")
@@ -35,6 +37,30 @@ def spoken_verbs(actions: Sequence[ActionSignature], sentence: str) -> tuple[Act
     kept = tuple(
         action
         for action in actions
-        if action.name not in _LITERAL or said & word_list(f"said of {action.name}")
+        if action.name not in LITERAL or said & word_list(f"said of {action.name}")
     )
     return kept or tuple(actions)
+
+
+def righted(call: SketchCall, signature: ActionSignature, sentence: str) -> SketchCall:
+    """The call with thing and place the other way round where the sentence plainly says so.
+
+    "stack the red block on the blue block" puts the red one on the blue one.
+    """
+    place = place_of(signature, ())
+    if len(call.arguments) != 2 or place is None or not all(map(_plain, call.arguments)):
+        return call
+    thing, target = (str(call.arguments[i]).strip("'") for i in (1 - place, place))
+    if _says(sentence, target, thing) and not _says(sentence, thing, target):
+        return SketchCall(call.action, call.arguments[::-1])
+    return call
+
+
+def _plain(argument: SketchArgument) -> bool:
+    return isinstance(argument, Phrase) and str(argument).startswith(("'", '"'))
+
+
+def _says(sentence: str, thing: str, target: str) -> bool:
+    """Whether "<thing> on the <target>" stands in the sentence."""
+    link = r"(?: up)? (?:on|onto|in|into|inside)(?: top)?(?: of)?(?: the| an?| my| your)? "
+    return bool(re.search(rf"\b{re.escape(thing)}{link}{re.escape(target)}\b", sentence, re.I))

@@ -14,6 +14,7 @@ from app.domain.scene import Scene, SceneObject
 from app.programs.sketch_dialogue import asks_to_undo, undo
 from app.programs.sketch_parser import parse_sketch
 from app.programs.sketch_resolver import resolve
+from app.programs.sketch_verbs import spoken_verbs
 
 CASES = json.loads(Path(__file__).with_name("sketches.json").read_text(encoding="utf-8"))
 SIDES = {"left": (0.5, 0.2, 0.0), "center": (0.5, 0.0, 0.0), "right": (0.5, -0.2, 0.0)}
@@ -196,3 +197,47 @@ def test_resolving_takes_little_time():
     started = time.process_time()
     _calls("grab_and_putin(all('fruits', but='pear'), 'bowl')", names)
     assert time.process_time() - started < 0.15
+
+
+def test_a_bucket_does_not_go_into_a_mug():
+    with pytest.raises(TaskDeclined, match="does not fit"):
+        _calls("grab_and_putin('bucket', 'mug')", ["bucket", "mug"], "put the bucket in the mug")
+
+
+def test_words_of_another_phrase_are_no_relation():
+    sketch = "grab_and_putin(all('pens', in_front_of='cup'), same('colour', 'cups'))"
+    found = _calls(
+        sketch, ["red pen", "red cup", "blue cup"], "put each pen in the cup of its colour"
+    )
+    assert found == ["grab_and_putin('red pen', 'red cup')"]
+
+
+@pytest.mark.parametrize(
+    ("sentence", "wanted"), [("put the pear in", False), ("shove the pear away", True)]
+)
+def test_push_is_offered_where_the_sentence_says_so(sentence, wanted):
+    push = ActionSignature(name="push", parameters=(Parameter(name="obj"),), meaning="")
+    assert (push in spoken_verbs((*ACTIONS, push), f"please {sentence}")) == wanted
+
+
+def test_what_the_sentence_puts_on_what_wins_over_the_sketch():
+    found = _calls(
+        "put_on('blue block', 'red block')",
+        ["red block", "blue block"],
+        "stack the red block on the blue block",
+    )
+    assert found == ["put_on('red block', 'blue block')"]
+
+
+def test_a_superlative_wins_over_a_plain_name():
+    found = _calls(
+        "grab_and_putin('biggest ball', 'box')", ["small ball", "ball", "big ball", "box"]
+    )
+    assert found == ["grab_and_putin('big ball', 'box')"]
+
+
+def test_the_number_that_the_sentence_says_counts():
+    found = _calls(
+        "grab_and_putin(all('eggs'), 'box')", ["egg 1", "egg 2", "box"], "put one of the eggs in"
+    )
+    assert found == ["grab_and_putin('egg 1', 'box')"]

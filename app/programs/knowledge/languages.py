@@ -1,0 +1,78 @@
+"""Everyday nouns, colours and sizes of other languages → English.
+
+``static/knowledge/languages.json`` lists German, French, Spanish, Italian, Portuguese and Dutch
+words for each English one.
+"""
+
+import json
+import re
+from functools import cache
+from pathlib import Path
+
+from app.programs.knowledge.classes import classes, normal
+from app.programs.knowledge.names import plain, words
+from app.programs.knowledge.properties import COLOUR_WORDS, MATERIALS, SIZES
+from app.programs.knowledge.word_lists import word_list
+from app.programs.knowledge.wordnet import nouns
+
+FILE = Path(__file__).parents[3] / "static" / "knowledge" / "languages.json"
+_ARTICLES = word_list("articles")
+_ELIDED = re.compile(r"\b[ldLD]['\u2019](?=\w)")
+_ADJECTIVES = word_list("adjectives")
+_ENDINGS = ("en", "er", "es", "em", "e", "n", "s", "i")
+"""What a plural or a case adds."""
+
+
+def in_english(text: str, *, surely: bool = True) -> str | None:
+    """The text in English, where all of it can be read in another language.
+
+    With ``surely`` only where WordNet does not know it; words of the classes are English always.
+    """
+    found = list(words(_ELIDED.sub("", text)))
+    bare = [each for each in found if each not in _ARTICLES] or found
+    if not bare or all(_english(each, rare=surely) for each in bare):
+        return None
+    whole = translated(" ".join(bare))
+    if whole:
+        return whole
+    turned = [
+        translated(each) or (each if _english(each, rare=True) or each.isdigit() else None)
+        for each in bare
+    ]
+    if None in turned:
+        return None
+    kept = [each for each in turned if each]
+    if kept == bare:
+        return None
+    adjectives = [each for each in kept if each in _ADJECTIVES]
+    return " ".join(adjectives + [each for each in kept if each not in _ADJECTIVES])
+
+
+def _english(word: str, *, rare: bool) -> bool:
+    if word in COLOUR_WORDS or word in SIZES or word in MATERIALS or len(word) < 2:
+        return True
+    return any(
+        classes().knows(each) or (rare and nouns().knows(each)) for each in (word, normal(word))
+    )
+
+
+def translated(word: str) -> str | None:
+    """The English for a word as ``plain`` makes it, whatever its ending."""
+    table = _table()
+    if word in table:
+        return table[word]
+    for ending in _ENDINGS:
+        stem = word.removesuffix(ending)
+        if stem != word and len(stem) > 2 and (stem in table or f"{stem}e" in table):
+            return table.get(stem) or table[f"{stem}e"]
+    return None
+
+
+@cache
+def _table() -> dict[str, str]:
+    entries = json.loads(FILE.read_text(encoding="utf-8"))
+    found: dict[str, str] = {}
+    for english, others in entries.items():
+        for other in others.split(","):
+            found.setdefault(" ".join(words(plain(other))), english)
+    return found
