@@ -10,7 +10,15 @@ from sqlalchemy import Connection, create_engine
 from app.storage import evaluations, events, executions, frames, plans, scenes, workers
 from app.storage.base import Base
 
-TABLES = (evaluations, events, executions, frames, plans, scenes, workers)  # imported for their side effect
+TABLES = (
+    evaluations,
+    events,
+    executions,
+    frames,
+    plans,
+    scenes,
+    workers,
+)  # imported for their side effect
 
 
 def migrate(connection: Connection) -> None:

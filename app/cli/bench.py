@@ -10,6 +10,8 @@ import click
 from rich.console import Console
 from rich.progress import Progress
 
+from app.cli.fuzz_bench import fuzz
+from app.cli.verb_benches import pairs, tower, verb
 from app.domain.perception import Perception
 from app.evaluation.pick import Episode, PickReport, bench_pick
 from app.evaluation.readiness import bench_scene
@@ -21,6 +23,8 @@ from app.settings import Settings
 
 Source = Literal["cameras", "privileged"]
 command = click.Group("bench", help="Measure parts of the system on this machine.")
+for each in (verb, tower, pairs, fuzz):
+    command.add_command(each)
 
 
 def _seeing(function: Callable[..., None]) -> Callable[..., None]:

@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from typing import cast
 
 import click
 from rich.console import Console
@@ -12,23 +13,28 @@ from app.llm.sources import weight_store
 from app.main.models import llm_config
 from app.settings import Settings
 
-QUICK = {"scenes": 400, "minutes": 30.0, "per_kind": 2}
+QUICK = {"examples": 3000, "minutes": 28.0, "per_kind": 3}
 
 
 @click.command()
 @click.option("--base", default="small", show_default=True, help="The model to adapt.")
 @click.option("--out", type=click.Path(path_type=Path), default=Path("adapter"), show_default=True)
 @click.option("--quick", is_flag=True, help="A small run, within 40 minutes on two cores.")
-@click.option(
-    "--scenes", default=1200, show_default=True, help="Made-up scenes, of four tasks each."
-)
+@click.option("--examples", default=6000, show_default=True, help="Made-up sentences, each once.")
 @click.option("--minutes", default=120.0, show_default=True, help="End training after this long.")
 @click.option("--threads", default=2, show_default=True)
+@click.option("--device", default="cpu", show_default=True, help="cpu, or cuda where there is one.")
 @click.option("--seed", default=1, show_default=True)
 @click.option(
-    "--first-layer", default=6, show_default=True, help="Adapt this layer and those above."
+    "--first-layer", default=4, show_default=True, help="Adapt this layer and those above."
 )
-@click.option("--per-kind", default=5, show_default=True, help="Held-out tasks of each kind.")
+@click.option("--per-kind", default=10, show_default=True, help="Held-out sentences of each kind.")
+@click.option(
+    "--data",
+    type=click.Path(path_type=Path, exists=True, file_okay=False),
+    default=None,
+    help="A folder of JSON files that lengthen those of static/training: verbs, objects, phrasings.",
+)
 @click.option(
     "--suite",
     type=click.Path(path_type=Path, exists=True),
@@ -36,10 +42,12 @@ QUICK = {"scenes": 400, "minutes": 30.0, "per_kind": 2}
     help="More instructions to measure on, as JSON lines.",
 )
 @click.option(
-    "--compare", default=None, help="Measure this plain model with the paper's prompt too."
+    "--compare",
+    multiple=True,
+    help="Measure this plain model with the paper's prompt too; may be given several times.",
 )
 def command(*, quick: bool, base: str, out: Path, **options: object) -> None:
-    """Generate tasks, train on them, convert, measure, and write a card; run again to resume."""
+    """Generate sentences, train on them, convert, measure, write a card; run again to resume."""
     os.environ.update(PROCESS_ENVIRONMENT)  # before torch loads the thread library
     try:
         # The extra "train" is large; every other command must start without it.
@@ -53,7 +61,7 @@ def command(*, quick: bool, base: str, out: Path, **options: object) -> None:
     if weights is None:
         raise click.BadParameter(f"{base} has no file of weights", param_hint="--base")
     file = weight_store(config).ensure(weights)
-    compare = options.pop("compare")
+    compare = cast("tuple[str, ...]", options.pop("compare"))
     chosen = {**options, **(QUICK if quick else {})}
     recipe = pipeline.Recipe(name=out.name, base=file, out=out, **chosen)
-    pipeline.run(recipe, config, str(compare) if compare else None, Console().print)
+    pipeline.run(recipe, config, compare, Console().print)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.domain.condition import Condition, Relation
+from app.domain.pose import Pose
 from app.domain.program import Argument
 
 
@@ -120,6 +121,8 @@ class ActionFailed:
     line: int
     stage: str
     reason: str
+    pose: Pose | None = None
+    """Where the gripper should have gone, where that is what failed."""
     time: float
     kind: Literal["action_failed"] = "action_failed"
 

@@ -61,7 +61,11 @@ def _act(call: GroundedCall, world: World) -> Iterator[Happening]:
             )
     except ActionFailure as failure:
         yield ActionFailed(
-            line=call.line, stage=failure.stage, reason=failure.reason, time=world.time
+            line=call.line,
+            stage=failure.stage,
+            reason=failure.reason,
+            pose=failure.pose,
+            time=world.time,
         )
         return
     attempts = reached[1] if reached else 1

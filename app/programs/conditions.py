@@ -70,7 +70,7 @@ def check_condition(
     Raises:
         GoalRefused: a relation or an object is not known, or the number of objects is wrong.
     """
-    names = frozenset(scene.names) | {scene.agent or ""}
+    names = frozenset(scene.names if scene.agent is None else (*scene.names, scene.agent))
     for relation in relations(condition):
         message = _relation_fault(relation, known) or _object_fault(relation, names)
         if message:
@@ -121,7 +121,7 @@ def _relation_fault(relation: Relation, known: Mapping[str, int]) -> str | None:
 
 def _object_fault(relation: Relation, names: frozenset[str]) -> str | None:
     for name in relation.arguments:
-        if not name or name not in names:
+        if name not in names:
             likely = nearest(name, sorted(names))
             hint = f"did you mean {likely!r}?" if likely else f"there is: {_listed(names)}"
             return f"there is no object {name[:80]!r} in the scene; {hint}"

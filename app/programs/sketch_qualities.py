@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from app.programs.knowledge.names import plain
+from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.properties import typical_size
 from app.programs.sketch_phrase import Description, read_description
 from app.programs.sketch_things import LIKELY, Thing
@@ -63,7 +63,7 @@ def extreme(kept: Fits, described: Description, many: bool) -> Fits:
     named = [pair for pair in kept if set(said) & set(pair[0].words)]
     if named:
         return named
-    placed = [pair for pair in kept if pair[0].item.position]
+    placed = [pair for pair in kept if is_placed(pair[0])]
     if len(placed) < 2 or side in ("top", "bottom"):
         return kept
     axis = 1 if side in ("left", "right", "middle") else 0
@@ -90,7 +90,7 @@ def _most(kept: Fits, sign: int) -> Fits:
 
 
 def _numbered(kept: Fits, described: Description) -> Fits:
-    placed = [pair for pair in kept if pair[0].item.position]
+    placed = [pair for pair in kept if is_placed(pair[0])]
     if len(placed) == len(kept):
         left = described.ordinal_from == "left"
         kept = sorted(placed, key=lambda pair: stands(pair[0])[1], reverse=left)
@@ -122,8 +122,31 @@ def ordered(things: Iterable[Thing], order: str | None) -> list[Thing]:
     return found
 
 
+SIDES = {
+    "left": (0.0, 1.0), "right": (0.0, -1.0), "center": (0.0, 0.0), "centre": (0.0, 0.0),
+    "middle": (0.0, 0.0), "front": (-1.0, 0.0), "near": (-1.0, 0.0), "back": (1.0, 0.0),
+    "rear": (1.0, 0.0), "behind": (1.0, 0.0),
+}  # fmt: skip
+"""Where the words of a declared position are, x and y [of no unit]."""
+
+
 def stands(thing: Thing) -> tuple[float, float, float]:
-    return thing.item.position or (0.0, 0.0, 0.0)
+    """Where it is: as somebody said in words, else as it was measured."""
+    return _said_place(thing) or thing.item.position or (0.0, 0.0, 0.0)
+
+
+def is_placed(thing: Thing) -> bool:
+    """Whether anything is known of where it is."""
+    return bool(thing.item.position or _said_place(thing))
+
+
+def _said_place(thing: Thing) -> tuple[float, float, float] | None:
+    said = dict(thing.item.properties).get("position", "")
+    found = [SIDES[word] for word in words(said) if word in SIDES]
+    if not found:
+        return None
+    reach = 2.0 if "far" in words(said) else 1.0
+    return reach * sum(x for x, _ in found), reach * sum(y for _, y in found), 0.0
 
 
 def distance(thing: Thing, here: tuple[float, float, float]) -> float:
@@ -136,10 +159,12 @@ def _sign(value: float) -> int:
 
 
 def far_larger(thing: Thing, target: Thing) -> bool:
-    """Whether it cannot fit inside the target: by both measures, else by what is typical."""
-    if thing.item.size and target.item.size:
-        return sorted(thing.item.size)[1] > 1.2 * max(target.item.size)
+    """Whether it cannot fit inside the target: by its measures and by what is typical."""
     mine, theirs = typical_size(thing.name), typical_size(target.name)
+    if thing.item.size and target.item.size:
+        # A world measures what it does not know as a neutral box: the names have to say so too.
+        smaller = mine is None or theirs is None or mine <= theirs
+        return not smaller and sorted(thing.item.size)[1] > 1.2 * max(target.item.size)
     return bool(mine and theirs and mine <= FURNITURE and mine > MISFIT * theirs)
 
 

@@ -29,6 +29,7 @@ from app.programs.sketch_qualities import (
     distance,
     extreme,
     has_properties,
+    is_placed,
     sized,
     stands,
 )
@@ -283,9 +284,9 @@ class Selection:
         kept = [pair for pair in kept if pair[0] is not anchor]
         if key in ("inside", "on"):
             return [pair for pair in kept if self.rests(pair[0].name, anchor.name)] or kept
-        here = anchor.item.position
-        placed = [(t, s) for t, s in kept if t.item.position]
-        if here is None or not placed:
+        here = stands(anchor)
+        placed = [(t, s) for t, s in kept if is_placed(t)]
+        if not is_placed(anchor) or not placed:
             return kept
         if key == "near":
             return [min(placed, key=lambda pair: distance(pair[0], here))]

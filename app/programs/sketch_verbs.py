@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 
-from app.domain.action import ActionSignature
+from app.domain.action import ActionSignature, Parameter
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import Phrase, SketchArgument, SketchCall
 
@@ -24,9 +24,13 @@ def place_of(signature: ActionSignature, several: Sequence[int]) -> int | None:
     if len(parameters) < 2:
         return None
     for i, parameter in enumerate(parameters):
-        if parameter.role in ("container", "support") or parameter.name in PLACES:
+        if _is_place(parameter):
             return i
     return 1 - several[0] if len(several) == 1 and len(parameters) == 2 else 1
+
+
+def _is_place(parameter: Parameter) -> bool:
+    return parameter.role in ("container", "support") or parameter.name in PLACES
 
 
 def spoken_verbs(actions: Sequence[ActionSignature], sentence: str) -> tuple[ActionSignature, ...]:
@@ -50,6 +54,8 @@ def righted(call: SketchCall, signature: ActionSignature, sentence: str) -> Sket
     place = place_of(signature, ())
     if len(call.arguments) != 2 or place is None or not all(map(_plain, call.arguments)):
         return call
+    if not _is_place(signature.parameters[place]):
+        return call  # Nothing tells which of them is the place: the sketch knows better.
     thing, target = (str(call.arguments[i]).strip("'") for i in (1 - place, place))
     if _says(sentence, target, thing) and not _says(sentence, thing, target):
         return SketchCall(call.action, call.arguments[::-1])

@@ -9,15 +9,7 @@ from sqlalchemy import JSON, String, UniqueConstraint, func, select
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
-from app.domain.trace import (
-    CompletionGrew,
-    Event,
-    ExecutionEvent,
-    PlanningFailed,
-    PlanningStarted,
-    ProgramGrounded,
-    PromptWritten,
-)
+from app.domain.trace import Event, ExecutionEvent
 from app.storage.base import Base, Moment, now
 
 _events: TypeAdapter[Event] = TypeAdapter(Event)
@@ -81,8 +73,7 @@ def all_of(session: Session, owner: str) -> list[Event]:
 
 def of_execution(session: Session, execution_id: str) -> list[ExecutionEvent]:
     """All events of an execution, in order."""
-    planning = (PlanningStarted, PromptWritten, CompletionGrew, ProgramGrounded, PlanningFailed)
-    return [event for event in all_of(session, execution_id) if not isinstance(event, planning)]
+    return [event for event in all_of(session, execution_id) if isinstance(event, ExecutionEvent)]
 
 
 def same(session: Session, owner: str, other: str) -> bool:

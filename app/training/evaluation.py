@@ -1,69 +1,98 @@
-"""How often plans are right: strict Plan SR of a model with a prompt, by kind of task.
+"""How often plans are right: strict Plan SR of a planner with a model, by kind of task.
 
 Strictly: the goal is met where nothing slips, no other object was moved, and what cannot be done
 moves nothing.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+import itertools
+import time
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
+from app.domain.errors import ModelError, ProgramRefused, TaskDeclined
 from app.domain.instruction import Instruction
 from app.domain.llm import CompletionRequest, LanguageModel
-from app.domain.planner import PlannerOptions, Task
-from app.domain.scene import Scene, SceneObject
+from app.domain.planner import Planner, PlannerOptions, Task
+from app.domain.trace import PlanningEvent
 from app.evaluation.intervals import wilson
-from app.llm.grammar import program_grammar
-from app.programs.printer import import_line
-from app.programs.prompt import write_prompt
-from app.programs.situated import STOP, situated_prompt, spoken_of
+from app.programs.sketch_grammar import sketch_grammar
+from app.programs.sketch_parser import parse_sketch
+from app.programs.sketch_prompt import STOP
 from app.training.executor import outcome
+from app.training.generator import Example, generate
 from app.training.suites import Item
 
-MAX_TOKENS = 400
-
-WritePrompt = Callable[[Item], str]
+HELD_SEED = 7
+"""Of the held-out sentences, so that everybody measures on the same ones."""
 
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What a model made of one instruction."""
+    """What came of one instruction."""
 
-    item: Item
-    completion: str
+    name: str
+    kind: str
+    sentence: str
+    text: str
+    """The program, the sketch, or why there is none."""
     right: bool
     seconds: float
 
 
-def situated(item: Item) -> str:
-    """The prompt the adapters were trained on."""
-    described = spoken_of(item.objects, item.sentence)
-    return situated_prompt(import_line(item.actions), described, item.sentence)
+def ask(planner: Planner, model: LanguageModel, item: Item, options: PlannerOptions) -> Answer:
+    """One instruction, planned and carried out where nothing slips."""
+    started = time.perf_counter()
+    task = Task(
+        scene=item.scene,
+        actions=item.actions,
+        instruction=Instruction(item.sentence),
+        options=options,
+        facts=item.facts,
+    )
+    try:
+        draft = planner.write_program(task, model, _go_on)
+        text, program = draft.program, draft.program
+    except TaskDeclined as declined:
+        text, program = f"# {declined.reason}", "def task():\n    pass\n"
+    except (ModelError, ProgramRefused) as error:
+        text, program = f"# failed: {error}", ""
+    done = outcome(program, item.scene, item.puts)
+    right = item.check(done)
+    return Answer(item.name, item.kind, item.sentence, text, right, time.perf_counter() - started)
 
 
-def paper(item: Item) -> str:
-    """The paper's prompt with three example programs."""
-    return write_prompt(_task(item))
+def held_out(per_kind: int, data: Path | None = None) -> list[Example]:
+    """As many of each kind of sentence, from nouns, classes and phrasings kept out of training."""
+    found: dict[str, list[Example]] = {}
+    for example in itertools.islice(generate(HELD_SEED, "held", data), 60 * per_kind):
+        mine = found.setdefault(example.kind, [])
+        if len(mine) < per_kind:
+            mine.append(example)
+    return [example for kind in sorted(found) for example in found[kind]]
 
 
-def ask(model: LanguageModel, item: Item, write: WritePrompt) -> Answer:
-    """One instruction, decoded under the scene's grammar."""
-    task = _task(item)
+def ask_sketch(model: LanguageModel, example: Example) -> Answer:
+    """One held-out sentence; right where the sketch is the very same."""
     request = CompletionRequest(
-        prompt=write(item),
-        max_tokens=MAX_TOKENS,
+        prompt=example.prompt,
+        max_tokens=300,
         stop=(STOP,),
-        grammar=program_grammar(task.scene, task.actions, comments=True, feedback=False),
+        grammar=sketch_grammar(example.actions) if model.follows_grammar else None,
     )
     completion = model.complete(request)
-    done = outcome(completion.text, tuple(item.objects), item.puts)
-    right = completion.finish == "stop" and item.check(done)
-    return Answer(item, completion.text, right, completion.seconds)
+    try:
+        right = parse_sketch(completion.text) == parse_sketch(example.target)
+    except ProgramRefused:
+        right = False
+    sentence = example.sentence
+    return Answer(example.kind, example.kind, sentence, completion.text, right, completion.seconds)
 
 
 def figures(answers: Sequence[Answer]) -> dict[str, object]:
     """Rates with 95 % Wilson intervals, overall and by kind."""
-    kinds = sorted({answer.item.kind for answer in answers})
-    by_kind = {kind: _rate(a for a in answers if a.item.kind == kind) for kind in kinds}
+    kinds = sorted({answer.kind for answer in answers})
+    by_kind = {kind: _rate(each for each in answers if each.kind == kind) for kind in kinds}
     seconds = sorted(answer.seconds for answer in answers)
     median = round(seconds[len(seconds) // 2], 2) if seconds else None
     return {"all": _rate(answers), "median_seconds": median, "kinds": by_kind}
@@ -75,11 +104,6 @@ def _rate(answers: Iterable[Answer]) -> dict[str, object]:
     return {"right": sum(right), "of": len(right), "interval": [round(low, 3), round(high, 3)]}
 
 
-def _task(item: Item) -> Task:
-    objects = tuple(SceneObject(name=name) for name in item.objects)
-    return Task(
-        scene=Scene(world="tabletop", objects=objects),
-        actions=item.actions,
-        instruction=Instruction(item.sentence),
-        options=PlannerOptions(),
-    )
+def _go_on(event: PlanningEvent) -> bool:
+    del event  # Nobody watches.
+    return False

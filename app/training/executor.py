@@ -1,10 +1,17 @@
-"""What a program's text does where nothing slips: where things end up, and what else is done."""
+"""What a program does where nothing slips: where things end up, and what else is done."""
 
-import ast
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
-PUTS: Mapping[str, bool] = {"grab_and_putin": False, "put_on": False}
+from app.domain.errors import ProgramRefused
+from app.domain.program import ActionCall, Argument, Comment, Pass, Statement
+from app.domain.scene import Scene
+from app.programs.parser import parse_program
+from app.programs.unrolling import unroll
+
+PUTS: Mapping[str, bool] = dict.fromkeys(
+    ("grab_and_putin", "put_on", "place_in", "place_on", "stack", "putin", "putback"), False
+)
 """Verbs that move a thing to a place, and whether they name the place first."""
 
 
@@ -14,40 +21,50 @@ class Outcome:
 
     places: dict[str, str] = field(default_factory=dict)
     """Moved object → what it was last put in or on."""
-    deeds: list[tuple[str, ...]] = field(default_factory=list)
+    deeds: list[tuple[Argument, ...]] = field(default_factory=list)
     """Other actions with their arguments, in order."""
     faults: list[str] = field(default_factory=list)
     """Why it could not be carried out as written."""
 
 
-def outcome(body: str, names: Collection[str], puts: Mapping[str, bool] = PUTS) -> Outcome:
-    """Read the indented lines of a function's body (literals only; nothing is evaluated)."""
+def outcome(text: str, scene: Scene, puts: Mapping[str, bool] = PUTS) -> Outcome:
+    """The effects of a program's text, loops and helpers written out."""
     found = Outcome()
     try:
-        tree = ast.parse(f"def task():\n{body.rstrip()}\n    pass\n")
-    except (SyntaxError, ValueError) as error:
-        found.faults.append(f"not a program: {error}")
+        body = unroll(parse_program(text), scene)
+    except ProgramRefused as refused:
+        found.faults.append(str(refused))
         return found
-    for statement in ast.walk(tree):
-        if isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Call):
-            _perform(statement.value, names, puts, found)
+    run(body, scene.names, puts, found)
     return found
 
 
-def _perform(
-    call: ast.Call, names: Collection[str], puts: Mapping[str, bool], found: Outcome
+def run(
+    body: Sequence[Statement], names: Collection[str], puts: Mapping[str, bool], found: Outcome
 ) -> None:
-    action = call.func.id if isinstance(call.func, ast.Name) else ""
-    arguments = [str(each.value) for each in call.args if isinstance(each, ast.Constant)]
-    if action not in puts:
-        found.deeds.append((action, *arguments))
+    """Carry the statements out, one after the other."""
+    for statement in body:
+        match statement:
+            case ActionCall():
+                _perform(statement, names, puts, found)
+            case Comment() | Pass():
+                pass
+            case _:
+                found.faults.append(f"not decided here: {statement}")
+
+
+def _perform(
+    call: ActionCall, names: Collection[str], puts: Mapping[str, bool], found: Outcome
+) -> None:
+    arguments = call.arguments
+    if call.action not in puts or len(arguments) != 2:
+        found.deeds.append((call.action, *arguments))
         return
-    unknown = [each for each in arguments if each not in names]
-    if unknown or len(arguments) != 2:
-        found.faults.append(f"{action} of {', '.join(unknown or arguments)}")
-        return
-    item, place = arguments[::-1] if puts[action] else arguments
-    if item == place or _carries(found.places, item, place):
+    item, place = map(str, arguments[::-1] if puts[call.action] else arguments)
+    unknown = [each for each in (item, place) if each not in names]
+    if unknown:
+        found.faults.append(f"{call.action} of {', '.join(unknown)}")
+    elif item == place or _carries(found.places, item, place):
         found.faults.append(f"{item} cannot go into {place}")
     else:
         found.places[item] = place

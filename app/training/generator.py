@@ -1,140 +1,314 @@
-"""Situated tasks by the thousand: a seed, a scene, a few things asked of it, and the programs.
+"""Sketches by the thousand: a seed, an import line, a sentence in one of many phrasings, the sketch.
 
-Tasks about one scene come together in an ``Example``: they share the start of the prompt, so that
-training reads it once. Every program is run by the perfect executor before it is let out.
+Every sketch is parsed and grounded on its import line before it is let out.
 """
 
-from collections.abc import Iterator
+import itertools
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from random import Random
 
+from app.domain.action import ActionSignature
+from app.domain.planner import Turn
 from app.domain.program import literal
 from app.programs.printer import INDENT
-from app.programs.situated import question, situation
-from app.training import (
-    choosing_tasks,
-    described_tasks,
-    direct_tasks,
-    place_tasks,
-    refused_tasks,
-    sorting_tasks,
-    verb_tasks,
+from app.programs.sketch import Decline, SketchCall
+from app.programs.sketch_parser import parse_sketch, print_sketch
+from app.programs.sketch_prompt import write_sketch_prompt
+from app.training.acting import Actor, around
+from app.training.composing import Composer, Step, read_steps
+from app.training.foreign import foreign
+from app.training.noise import dress, misspell, typed
+from app.training.robots import (
+    NEAR,
+    ON,
+    PUT,
+    STACK,
+    Robot,
+    Verb,
+    distract,
+    ready_made,
+    usual,
+    with_put,
 )
-from app.training.executor import outcome
-from app.training.phrases import Speaker, misspell
-from app.training.scenes import Setting, class_scene, look_alike_scene
-from app.training.tasks import MAKERS, PUT, WEIGHTS, Answered
-from app.training.things import Split, Vocabulary
-from app.training.verbs import Verbs, choose_verbs
+from app.training.said import Said, fill
+from app.training.words import Split, Words
 
-FOLDERS = (
-    *(choosing_tasks, described_tasks, direct_tasks, place_tasks, refused_tasks, sorting_tasks),
-)
-"""The modules whose makers are asked; importing them registers those."""
-TYPOS = 0.07
+TYPOS = 0.09
 """Share of sentences that are misspelt."""
-OFTEN = ("sort class", "sort property", "left and right", "same colour", "class and rest")
-"""Kinds that may come twice in one scene: hard ones, for which few scenes are fit."""
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """One thing asked of a scene, and the program's body."""
-
-    kind: str
-    sentence: str
-    target: str
-    goal: dict[str, str]
-
-    @property
-    def question(self) -> str:
-        """What follows the situation in the prompt."""
-        return question(self.sentence)
+WEIGHTS = {
+    "put": 32,
+    "construction": 26,
+    "two clauses": 4,
+    "stack": 10,
+    "verb": 11,
+    "verbs": 4,
+    "around": 3,
+    "foreign": 12,
+    "impossible": 6,
+    "dialogue": 4,
+}
+"""How often each kind of sentence is made."""
 
 
 @dataclass(frozen=True, slots=True)
 class Example:
-    """One scene and what was asked of it."""
+    """What a model is shown, and what it is to write."""
 
-    objects: dict[str, dict[str, str]]
-    """Told properties by the object's name."""
-    parts: tuple[Part, ...]
-    verbs: Verbs
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The objects' names, in the scene's order."""
-        return tuple(self.objects)
+    kind: str
+    sentence: str
+    actions: tuple[ActionSignature, ...]
+    history: tuple[Turn, ...]
+    target: str
+    """Indented lines, then the empty line that ends them."""
 
     @property
-    def situation(self) -> str:
-        """The start of the prompt, the same for every part."""
-        return situation(self.verbs.imports, self.objects)
+    def prompt(self) -> str:
+        """Exactly what the planner asks with."""
+        return write_sketch_prompt(self.sentence, self.actions, self.history)
 
 
-def generate(seed: int, split: Split, parts: int = 4) -> Iterator[Example]:
-    """Examples without end; the same seed gives the same ones."""
-    vocabulary = Vocabulary(split)
-    number = 0
-    while True:
-        rng = Random(f"{split}/{seed}/{number}")
-        number += 1
-        example = make_example(rng, vocabulary, parts)
-        if example.parts:
-            yield example
+@dataclass(slots=True)
+class Draft:
+    """A sentence on its way."""
+
+    text: str
+    steps: list[Step]
+    order: bool = True
+    history: tuple[Turn, ...] = ()
+    plain: bool = False
+    """Not to be dressed nor misspelt."""
 
 
-def make_example(rng: Random, vocabulary: Vocabulary, count: int) -> Example:
-    """A scene with up to ``count`` different kinds of tasks about it."""
-    scene = (class_scene if rng.random() < 0.58 else look_alike_scene)(rng, vocabulary)
-    verbs = choose_verbs(rng, vocabulary.split)
-    say = Speaker(rng, vocabulary)
-    made: list[Part] = []
-    for kind in _kinds(rng, verbs):
-        if len(made) == count:
-            break
-        answered = (
-            verb_tasks.make(say, scene, verbs) if kind == "verb" else MAKERS[kind](say, scene)
-        )
-        if answered is not None and all(
-            answered.goal != part.goal or kind != part.kind for part in made
+def generate(
+    seed: int, split: Split, data: Path | None = None, first: int = 0
+) -> Iterator[Example]:
+    """Examples without end from the ``first`` on; the same seed gives the same ones."""
+    for number in itertools.count(first):
+        yield make_example(Random(f"{split}/{seed}/{number}"), split, data)
+
+
+def make_example(rng: Random, split: Split, data: Path | None = None) -> Example:
+    """One sentence for one robot."""
+    words = Words(rng, split, data)
+    slips = words.chance(TYPOS)
+    composer = Composer(words, familiar=slips)
+    kind = rng.choices(list(WEIGHTS), list(WEIGHTS.values()))[0]
+    robot = _robot(words, kind)
+    draft = MAKERS[kind](composer, robot)
+    if (
+        any(step.concept == STACK for step in draft.steps)
+        and not robot.can(STACK)
+        and words.chance(0.3)
+    ):
+        robot.add(STACK, words.say("verbs", "stack"))
+    sentence = draft.text
+    if not draft.plain:
+        sentence = typed(words, dress(words, sentence, order=draft.order))
+        if slips:
+            kind, sentence = "typo", misspell(rng, sentence)
+    target = _target(draft.steps, robot)
+    return _checked(Example(kind, sentence, robot.signatures(), draft.history, target))
+
+
+def _robot(words: Words, kind: str) -> Robot:
+    if kind in ("verb", "verbs") and words.chance(0.45):
+        robot = Robot(words.rng)
+        distract(words, robot, words.rng.choice((0, 0, 1, 2, 3)))
+        return robot
+    if words.chance(0.3 if kind in ("verb", "verbs", "around", "stack") else 0.08):
+        return ready_made(words)
+    draw = words.rng.random()
+    if draw < (0.72 if kind not in ("verb", "verbs", "around") else 0.3):
+        robot = usual(words)
+        if words.chance(0.14):
+            distract(words, robot, words.rng.choice((1, 2, 4, 8)))
+        return robot
+    return with_put(words, words.rng.choice((0, 0, 0, 1, 2, 3)))
+
+
+def _put(composer: Composer, _robot: Robot) -> Draft:
+    return Draft(*composer.put())
+
+
+def _construction(composer: Composer, _robot: Robot) -> Draft:
+    entries = composer.words.lists["goals"]
+    entry = composer.rng.choices(entries, [each["weight"] for each in entries])[0]
+    text, steps = composer.constructed(entry)
+    return Draft(
+        text,
+        steps,
+        order=text.split()[0] in {"put", "move", "sort", "place", "take"},
+        plain=entry["name"] == "injection",
+    )
+
+
+def _two_clauses(composer: Composer, _robot: Robot) -> Draft:
+    first, steps, _ = composer.put(imperative=True)
+    second, more, _ = composer.put(imperative=True)
+    return Draft(_join(composer, first, second), [*steps, *more])
+
+
+JOINTS = (
+    "{a} and {b}",
+    "{a}, then {b}",
+    "{a} and then {b}",
+    "{a}. then {b}",
+    "{a}. {b}.",
+    "first {a}, then {b}",
+    "{a}; {b}",
+    "{a}, and {b}",
+    "{a} and after that {b}",
+    "{a}. after that, {b}",
+    "{a}. also {b}",
+    "{a}, afterwards {b}",
+    "{a} before you {b}",
+    "after that is done: {b2}",
+    "{a} and also {b}",
+    "{a}. next, {b}",
+    "1. {a} 2. {b}",
+    "{a}, {b}",
+    "start with this: {a}. then {b}",
+    "{a}. finally, {b}",
+    "{a}, and when that's done, {b}",
+)
+
+
+def _join(composer: Composer, first: str, second: str) -> str:
+    joint = composer.words.choose([each for each in JOINTS if "{a}" in each])
+    return joint.format(a=first.rstrip(".?!"), b=second)
+
+
+def _stack(composer: Composer, _robot: Robot) -> Draft:
+    return Draft(*composer.stack())
+
+
+def _verb(composer: Composer, robot: Robot) -> Draft:
+    return Draft(*Actor(composer, robot).clause())
+
+
+def _verbs(composer: Composer, robot: Robot) -> Draft:
+    actor = Actor(composer, robot)
+    first, steps, _ = actor.clause()
+    if robot.can(PUT) and composer.words.chance(0.5):
+        second, more, _ = composer.put(imperative=True)
+    else:
+        second, more, _ = actor.clause()
+    return Draft(_join(composer, first, second), [*steps, *more])
+
+
+def _around(composer: Composer, robot: Robot) -> Draft:
+    return Draft(*around(Actor(composer, robot)))
+
+
+def _foreign(composer: Composer, robot: Robot) -> Draft:
+    text, steps = foreign(composer.words)
+    for concept in {step.concept for step in steps} - {PUT, STACK}:
+        while not robot.can(concept):
+            robot.add(
+                concept,
+                composer.words.choose(composer.words.lists["verbs"]["concepts"][concept]["names"]),
+            )
+    text = typed(composer.words, text)
+    return Draft(text, steps, plain=True)
+
+
+def _impossible(composer: Composer, robot: Robot) -> Draft:
+    words = composer.words
+    nothing = [Step("DECLINE", {})]
+    if words.chance(0.45):
+        bare = Robot(words.rng)
+        text, _, order = Actor(composer, bare).clause()
+        wanted = set(bare.verbs)
+        if (
+            wanted & ASKED_BY_PUTTING
+            or any(concept in robot.verbs for concept in wanted)
+            or _near(robot, wanted)
         ):
-            made.append(_part(rng, kind, answered, scene, verbs))
-    return Example(scene.described(), tuple(made), verbs)
+            return _impossible(composer, robot)
+        return Draft(text, nothing, order=order)
+    template = words.say("refusals", "impossible")
+    if any(f"plain {stem}" in robot.verbs for stem in template.split()[:1]) or len(robot.verbs) > 2:
+        robot.verbs = {PUT: robot.verbs[PUT]}
+    text = fill(template, {"x": _bare(composer)})
+    return Draft(text, nothing)
 
 
-def write_body(answered: Answered, verbs: Verbs) -> str:
-    """The program's lines, then the empty line that ends it."""
+ASKED_BY_PUTTING = {"SWEEP", "COVER", "ATTACH"}
+
+
+def _near(robot: Robot, wanted: set[str]) -> bool:
+    """Whether one of the robot's verbs might be taken for what is asked."""
+    return any(wanted & group and group & set(robot.verbs) - {PUT} for group in NEAR)
+
+
+def _bare(composer: Composer) -> Said:
+    return composer.nouns.with_article(composer.nouns.noun())
+
+
+def _dialogue(composer: Composer, robot: Robot) -> Draft:
+    entry = composer.words.choose(composer.words.lists["dialogues"])
+    x, h, y, k = _bare(composer), composer.nouns.holder(), _bare(composer), composer.nouns.holder()
+    noun = x.forms["bare"].split()[-1]
+    x = Said(x.text, x.arguments, x.words, forms={**x.forms, "other": literal(f"other {noun}")})
+    if not h.arguments[0].startswith("'"):
+        h = composer.nouns.placed(composer.nouns.with_article("bowl"), "in")
+    slots = {"x": x, "h": h, "y": y, "k": k}
+    robot.verbs = {PUT: robot.verbs[PUT]}
+    template = composer.rng.choice(composer.words.lists["put"]["do"][:20])
+    earlier = fill(template, slots)
+    program = f"def task():\n{_target(read_steps(entry['first'], slots), robot)}"
+    said, line = composer.words.choose(entry["then"])
+    history = (Turn(instruction=typed(composer.words, earlier), program=program),)
+    return Draft(fill(said, slots), read_steps(line, slots), order=False, history=history)
+
+
+MAKERS: dict[str, Callable[[Composer, Robot], Draft]] = {
+    "put": _put,
+    "construction": _construction,
+    "two clauses": _two_clauses,
+    "stack": _stack,
+    "verb": _verb,
+    "verbs": _verbs,
+    "around": _around,
+    "foreign": _foreign,
+    "impossible": _impossible,
+    "dialogue": _dialogue,
+}
+
+
+def _target(steps: list[Step], robot: Robot) -> str:
     lines: list[str] = []
-    for step in answered.steps:
-        match step:
-            case ("#", text):
-                lines.append(f"# {text}")
-            case ("pass",):
-                lines.append("pass")
-            case (action, *arguments):
-                name = verbs.put if action == PUT else action
-                ordered = arguments[::-1] if action == PUT and verbs.swapped else arguments
-                lines.append(f"{name}({', '.join(map(literal, ordered))})")
-            case _:
-                raise ValueError(f"not a step: {step}")
+    for step in steps:
+        if step.concept == "DECLINE":
+            lines.append("decline('impossible')")
+        else:
+            lines.append(verb_of(step, robot).call(step.given))
     return "".join(f"{INDENT}{line}\n" for line in lines) + "\n"
 
 
-def _kinds(rng: Random, verbs: Verbs) -> list[str]:
-    """All kinds of tasks, the weightier more likely at the front."""
-    twice = [*WEIGHTS, *OFTEN]
-    kinds = sorted(twice, key=lambda kind: rng.random() ** (1 / WEIGHTS[kind]), reverse=True)
-    return ["verb", *kinds] if verbs.others and rng.random() < 0.7 else kinds
+def verb_of(step: Step, robot: Robot) -> Verb:
+    """The robot's own verb for it."""
+    verbs = robot.verbs
+    if step.concept == STACK:
+        return verbs.get(STACK) or verbs.get(ON) or verbs[PUT]
+    if step.concept == PUT and step.on and ON in verbs:
+        return verbs[ON]
+    return verbs[step.concept]
 
 
-def _part(rng: Random, kind: str, answered: Answered, scene: Setting, verbs: Verbs) -> Part:
-    body = write_body(answered, verbs)
-    names = frozenset(item.name for item in scene.order)
-    done = outcome(body, names, {verbs.put: verbs.swapped})
-    if done.faults or done.places != answered.goal:
-        raise ValueError(f"{kind}: {answered} does {done}")
-    sentence = answered.sentence
-    if rng.random() < TYPOS:
-        sentence, kind = misspell(rng, sentence), "typo"
-    return Part(kind, sentence, body, answered.goal)
+def _checked(example: Example) -> Example:
+    """Raises where the sketch does not read back as it was written, or calls what is not offered."""
+    sketch = parse_sketch(example.target)
+    if parse_sketch(print_sketch(sketch)) != sketch:
+        raise ValueError(f"{example.target!r} reads back as {print_sketch(sketch)!r}")
+    arity = {action.name: len(action.parameters) for action in example.actions}
+    for statement in sketch.body:
+        match statement:
+            case SketchCall(action, arguments):
+                if arity.get(action) != len(arguments):
+                    raise ValueError(f"{statement} does not fit {example.prompt!r}")
+            case Decline():
+                pass
+    return example

@@ -2,18 +2,24 @@
 
 import json
 import os
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from app.domain.llm import LanguageModel
+from app.domain.planner import PlannerOptions
 from app.llm.backend import LlmConfig
 from app.llm.backends.local import LocalModel
 from app.llm.models import open_model
+from app.planners import planners
 from app.training import evaluation, suites
 from app.training.adapter import Card, sha256, write_adapter
 from app.training.network import LoraShape, Network
 from app.training.training import Progress, Schedule, train
+
+if TYPE_CHECKING:
+    from app.training.evaluation import Answer
 
 Say = Callable[[str], None]
 
@@ -26,13 +32,16 @@ class Recipe:
     base: Path
     out: Path
     """A folder, made if need be."""
-    scenes: int = 1200
+    examples: int = 6000
     minutes: float = 120.0
     threads: int = 2
+    device: str = "cpu"
     seed: int = 1
-    first_layer: int = 6
-    per_kind: int = 5
+    first_layer: int = 4
+    per_kind: int = 10
     suite: tuple[Path, ...] = ()
+    data: Path | None = None
+    """A folder of the user's own words."""
 
     @property
     def adapter(self) -> Path:
@@ -40,22 +49,21 @@ class Recipe:
         return self.out / f"{self.name}.gguf"
 
 
-def run(recipe: Recipe, config: LlmConfig, compare: str | None, say: Say) -> None:
+def run(recipe: Recipe, config: LlmConfig, compare: tuple[str, ...], say: Say) -> None:
     """Train, convert, measure, write the card."""
     os.environ.setdefault("HF_HUB_OFFLINE", "1")
     recipe.out.mkdir(parents=True, exist_ok=True)
     trained = recipe.out / "training.json"
     if not (recipe.adapter.exists() and trained.exists()):
         progress = make_adapter(recipe, say)
-        facts = {name: getattr(progress, name) for name in Progress.__slots__}
-        trained.write_text(json.dumps(facts), "utf-8")
+        trained.write_text(json.dumps(asdict(progress)), "utf-8")
     adapted = open_adapted(recipe.base, recipe.adapter, config)
-    measured = {recipe.name: measure(recipe, adapted, evaluation.situated, "adapted", say)}
+    measured = {recipe.name: measure(recipe, adapted, "situated", recipe.name, say)}
     adapted.close()
-    if compare:
-        plain = open_model(compare, config)
-        label = f"{compare}, the paper's prompt"
-        measured[label] = measure(recipe, plain, evaluation.paper, f"plain-{compare}", say)
+    for name in compare:
+        plain = open_model(name, config)
+        label = f"{name}, the paper's prompt"
+        measured[label] = measure(recipe, plain, "progprompt", f"plain-{name}", say)
     write_card(recipe, json.loads(trained.read_text("utf-8")), measured)
     say(f"{recipe.adapter} and its card are ready")
 
@@ -63,8 +71,10 @@ def run(recipe: Recipe, config: LlmConfig, compare: str | None, say: Say) -> Non
 def make_adapter(recipe: Recipe, say: Say) -> Progress:
     """Train from the last checkpoint, or from nothing, and convert."""
     shape = LoraShape(first_layer=recipe.first_layer)
-    network = Network(recipe.base, shape, recipe.threads)
-    schedule = Schedule(scenes=recipe.scenes, minutes=recipe.minutes, seed=recipe.seed)
+    network = Network(recipe.base, shape, recipe.threads, recipe.device)
+    schedule = Schedule(
+        examples=recipe.examples, minutes=recipe.minutes, seed=recipe.seed, data=recipe.data
+    )
     progress = train(network, schedule, recipe.out / "checkpoint.npz", say)
     write_adapter(network.arrays(), shape.alpha, recipe.base, recipe.adapter, recipe.name)
     return progress
@@ -77,20 +87,29 @@ def open_adapted(base: Path, adapter: Path, config: LlmConfig) -> LocalModel:
 
 
 def measure(
-    recipe: Recipe, model: LanguageModel, write: evaluation.WritePrompt, label: str, say: Say
+    recipe: Recipe, model: LanguageModel, planner: str, label: str, say: Say
 ) -> dict[str, object]:
     """Every suite's figures; each answer is kept in ``answers-<label>.jsonl``, right or wrong."""
-    named = {"held out": suites.held_out(recipe.per_kind)}
-    named |= {path.stem: suites.read_suite(path) for path in recipe.suite}
+    options = PlannerOptions(name=planner, model=model.name)
+    asked: dict[str, Iterable[Answer]] = {
+        path.stem: (
+            evaluation.ask(planners[planner], model, item, options)
+            for item in suites.read_suite(path)
+        )
+        for path in (suites.UNSEEN_VERBS, *recipe.suite)
+    }
+    if planner == "situated":
+        examples = evaluation.held_out(recipe.per_kind, recipe.data)
+        asked["held-out sentences"] = (evaluation.ask_sketch(model, each) for each in examples)
     found: dict[str, object] = {}
     with (recipe.out / f"answers-{label}.jsonl").open("w", encoding="utf-8") as log:
-        for name, items in named.items():
-            answers: list[evaluation.Answer] = []
-            for item in items:
-                answers.append(evaluation.ask(model, item, write))
-                log.write(_line(name, answers[-1]))
+        for name, answers in asked.items():
+            given: list[Answer] = []
+            for answer in answers:
+                given.append(answer)
+                log.write(json.dumps({"suite": name, **asdict(answer)}, ensure_ascii=False) + "\n")
                 log.flush()
-            found[name] = evaluation.figures(answers)
+            found[name] = evaluation.figures(given)
             say(f"{label} on {name}: {found[name]}")
     return found
 
@@ -106,10 +125,3 @@ def write_card(recipe: Recipe, facts: dict[str, object], measured: Mapping[str, 
         figures=dict(measured),
     )
     card.write(recipe.adapter.with_suffix(".json"))
-
-
-def _line(suite: str, answer: evaluation.Answer) -> str:
-    item = answer.item
-    shown = {"suite": suite, "name": item.name, "kind": item.kind, "sentence": item.sentence}
-    shown |= {"objects": item.objects, "right": answer.right, "completion": answer.completion}
-    return json.dumps({**shown, "seconds": round(answer.seconds, 2)}, ensure_ascii=False) + "\n"

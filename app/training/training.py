@@ -5,40 +5,45 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from random import Random
 
 import numpy as np
 import torch  # pyright: ignore[reportMissingImports]
 
 from app.training.generator import Example, generate
-from app.training.network import Network
+from app.training.network import Network, Pair
 
-WARM_UP = 8
+WARM_UP = 20
 """Steps until the learning rate is at its full height."""
 FLOOR = 0.05
 """Of the full learning rate, what is left at the end."""
+POOL = 12
+"""Batches that are made at once, so that each has examples of about one length."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Schedule:
     """How long, how fast."""
 
-    scenes: int = 800
-    """Examples to learn from, of up to four tasks each."""
+    examples: int = 12_000
+    """To learn from; each is seen once."""
     minutes: float = 60.0
     """Wall time after which it ends even so [min]."""
-    batch: int = 1
-    """Scenes to a step."""
-    rate: float = 5e-4
+    batch: int = 8
+    """Examples to a step."""
+    rate: float = 6e-4
     seed: int = 1
-    save_every: float = 120.0
+    save_every: float = 90.0
     """Between checkpoints [s]."""
+    data: Path | None = None
+    """A folder of a user's own words."""
 
 
 @dataclass(slots=True)
 class Progress:
     """Where a run stands."""
 
-    scenes: int = 0
+    examples: int = 0
     steps: int = 0
     tokens: int = 0
     seconds: float = 0.0
@@ -55,20 +60,21 @@ def train(network: Network, schedule: Schedule, checkpoint: Path, say: Say) -> P
         network.parameters(), lr=schedule.rate, weight_decay=0.0, betas=(0.9, 0.98)
     )
     progress = _restore(network, optimizer, checkpoint)
-    examples = itertools.islice(generate(schedule.seed, "train"), progress.scenes, None)
     saved = started = time.monotonic()
     earlier = progress.seconds
-    while (done := _share_done(progress, schedule)) < 1:
+    for batch in batches(network, schedule, progress.examples):
+        if (done := _share_done(progress, schedule)) >= 1:
+            break
         for group in optimizer.param_groups:
             group["lr"] = (
                 schedule.rate * min(1, (progress.steps + 1) / WARM_UP) * max(FLOOR, 1 - done)
             )
-        _step(network, optimizer, list(itertools.islice(examples, schedule.batch)), progress)
+        _step(network, optimizer, batch, progress)
         now = time.monotonic()
         progress.seconds = earlier + now - started
         if progress.steps % 5 == 0:
             say(
-                f"{progress.scenes} scenes, loss {progress.loss:.3f}, {progress.tokens / progress.seconds:.1f} tokens/s, {progress.seconds:.0f} s"
+                f"{progress.examples} examples, loss {progress.loss:.3f}, {progress.tokens / progress.seconds:.1f} tokens/s, {progress.seconds:.0f} s"
             )
         if now - saved > schedule.save_every:
             _save(network, optimizer, checkpoint, progress)
@@ -77,44 +83,48 @@ def train(network: Network, schedule: Schedule, checkpoint: Path, say: Say) -> P
     return progress
 
 
+def batches(network: Network, schedule: Schedule, first: int) -> Iterator[list[Pair]]:
+    """Tokenized examples without end, those of a batch of about one length."""
+    first -= first % (schedule.batch * POOL)
+    examples = generate(schedule.seed, "train", schedule.data, first)
+    for number in itertools.count(first):
+        pool = [
+            tokenize(network, example)
+            for example in itertools.islice(examples, schedule.batch * POOL)
+        ]
+        pool.sort(key=lambda pair: len(pair[0]) + len(pair[1]))
+        parts = [pool[i : i + schedule.batch] for i in range(0, len(pool), schedule.batch)]
+        Random(number).shuffle(parts)
+        yield from parts
+
+
 def _share_done(progress: Progress, schedule: Schedule) -> float:
-    return max(progress.scenes / schedule.scenes, progress.seconds / (60 * schedule.minutes))
+    return max(progress.examples / schedule.examples, progress.seconds / (60 * schedule.minutes))
 
 
 def _step(
-    network: Network, optimizer: torch.optim.Optimizer, batch: list[Example], progress: Progress
+    network: Network, optimizer: torch.optim.Optimizer, batch: list[Pair], progress: Progress
 ) -> None:
     optimizer.zero_grad()
-    tokenized = [tokenize(network, example) for example in batch]
-    answers = sum(len(answer) for _, branches in tokenized for _, answer in branches)
-    total = 0.0
-    for prefix, branches in tokenized:
-        loss, _ = network.loss(prefix, branches)
-        (loss / answers).backward()
-        total += loss.item() / answers
-        progress.tokens += len(prefix) + sum(len(q) + len(a) for q, a in branches)
+    loss, answers = network.loss(batch)
+    (loss / answers).backward()
     torch.nn.utils.clip_grad_norm_(network.parameters(), 1.0)
     optimizer.step()
-    progress.scenes += len(batch)
+    mean = loss.item() / answers
+    progress.tokens += sum(len(prompt) + len(answer) for prompt, answer in batch)
+    progress.examples += len(batch)
     progress.steps += 1
-    progress.loss = total if progress.steps == 1 else 0.9 * progress.loss + 0.1 * total
+    progress.loss = mean if progress.steps == 1 else 0.95 * progress.loss + 0.05 * mean
 
 
-def tokenize(
-    network: Network, example: Example
-) -> tuple[list[int], list[tuple[list[int], list[int]]]]:
-    """The example's prefix and its branches; prompts are cut where the completion begins."""
-    prefix = network.tokens(example.situation)
-    branches = [
-        (network.tokens(part.question), [*network.tokens(part.target), network.end])
-        for part in example.parts
-    ]
-    return prefix, branches
+def tokenize(network: Network, example: Example) -> Pair:
+    """Prompt and answer apart, as they are when the model goes on from the prompt."""
+    return network.tokens(example.prompt), [*network.tokens(example.target), network.end]
 
 
 def _save(network: Network, optimizer: torch.optim.AdamW, path: Path, progress: Progress) -> None:
     moments = {
-        f"{key}/{index}": state[key].numpy() if hasattr(state[key], "numpy") else state[key]
+        f"{key}/{index}": state[key].cpu().numpy() if hasattr(state[key], "cpu") else state[key]
         for index, state in optimizer.state_dict()["state"].items()
         for key in ("step", "exp_avg", "exp_avg_sq")
     }

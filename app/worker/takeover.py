@@ -2,7 +2,7 @@
 
 from sqlalchemy.orm import Session
 
-from app.domain.plan import Plan
+from app.domain.plan import Jump, Plan
 from app.rollout import understand
 from app.storage import checkpoints, executions
 from app.storage.documents import read_scene
@@ -35,8 +35,9 @@ def state_of(session: Session, row: ExecutionRow) -> bytes | None:
 
 
 def _index(plan: Plan, line: int) -> int:
-    lines = [step.line for step in plan.steps]
-    return next((place for place, found in enumerate(lines) if found >= line), len(lines))
+    steps = enumerate(plan.steps)
+    reached = (place for place, step in steps if not isinstance(step, Jump) and step.line >= line)
+    return next(reached, len(plan.steps))
 
 
 def _at_its_start(row: ExecutionRow) -> ExecutionRow:

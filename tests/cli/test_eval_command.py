@@ -58,10 +58,11 @@ class Links(HTMLParser):
         given = dict(attrs)
         self.ids.add(given.get("id"))
         for name in ("href", "src"):
-            if name in given and given[name].startswith("#"):
-                self.targets.add(given[name][1:])
+            target = given.get(name)
+            if target is not None and target.startswith("#"):
+                self.targets.add(target[1:])
             elif name in given:
-                self.foreign.append(given[name])
+                self.foreign.append(target)
 
 
 def test_the_report_needs_nothing_else_and_every_link_in_it_leads_somewhere(measured):

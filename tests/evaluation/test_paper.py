@@ -4,6 +4,7 @@ import pytest
 
 from app.domain.errors import Refused
 from app.evaluation.household_data import PARTS, plain_name, read_household
+from app.evaluation.metrics import Figure
 from app.evaluation.paper import Plan, methods, paper_charts, paper_tables, units
 from app.evaluation.printed import MAIN, PLACES, TASKS, Printed
 from app.evaluation.runs import evaluate_units
@@ -121,6 +122,7 @@ def test_the_papers_tables_hold_our_figures_beside_the_printed_ones(data, tmp_pa
     assert set(found) == {"main", "by-task", "places", "places-ours", "sweep"}
     main = found["main"]
     row = dict(zip(main.columns, main.rows[0], strict=True))
+    assert isinstance(row["SR"], Figure)
     assert (row["SR"].mean, row["SR, paper"]) == (1, MAIN["ProgPrompt"][0])
     assert [entry[0] for entry in found["places"].rows] == ["env0", "env1", "env2", "average"]
     assert len(found["sweep"].rows) == 7

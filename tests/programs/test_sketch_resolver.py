@@ -1,5 +1,6 @@
 import json
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -51,9 +52,19 @@ def _ends(body):
     return {each.arguments[0]: each.arguments[1] for each in body if isinstance(each, ActionCall)}
 
 
-def _calls(sketch, objects, sentence="do it", **given):
+def _calls(
+    sketch, objects, sentence="do it", history=(), facts=frozenset(), failed=None, actions=None
+):
     body, _ = resolve(
-        parse_sketch(sketch), _task({name: {} for name in objects}, sentence, **given)
+        parse_sketch(sketch),
+        _task(
+            {name: {} for name in objects},
+            sentence,
+            history=history,
+            facts=facts,
+            failed=failed,
+            actions=actions or ACTIONS,
+        ),
     )
     return [str(each) for each in body if isinstance(each, ActionCall)]
 
@@ -138,14 +149,13 @@ EARLIER = Turn(
 
 def test_it_and_the_other_one_refer_to_the_turn_before():
     objects = ["red block", "blue block", "cup", "box", "bowl"]
-    given = {"history": (EARLIER,)}
-    assert _calls("grab_and_putin('it', 'bowl')", objects, **given) == [
+    assert _calls("grab_and_putin('it', 'bowl')", objects, history=(EARLIER,)) == [
         "grab_and_putin('red block', 'bowl')"
     ]
-    assert _calls("grab_and_putin('other block', 'bowl')", objects, **given) == [
+    assert _calls("grab_and_putin('other block', 'bowl')", objects, history=(EARLIER,)) == [
         "grab_and_putin('blue block', 'bowl')"
     ]
-    assert _calls("grab_and_putin('blue one', 'bowl')", objects, **given) == [
+    assert _calls("grab_and_putin('blue one', 'bowl')", objects, history=(EARLIER,)) == [
         "grab_and_putin('blue block', 'bowl')"
     ]
 
@@ -241,3 +251,16 @@ def test_the_number_that_the_sentence_says_counts():
         "grab_and_putin(all('eggs'), 'box')", ["egg 1", "egg 2", "box"], "put one of the eggs in"
     )
     assert found == ["grab_and_putin('egg 1', 'box')"]
+
+
+def test_a_side_that_is_said_counts_before_one_that_was_measured():
+    places = {"cube 1": ("left", -0.2), "cube 2": ("center", 0.0), "cube 3": ("right", 0.2)}
+    things = [
+        SceneObject(name=name, position=(0.5, y, 0.0), properties=(("position", side),))
+        for name, (side, y) in places.items()
+    ]
+    task = _task({"tray": {}})
+    task = replace(task, scene=replace(task.scene, objects=(*things, *task.scene.objects)))
+    for said, name in (("left", "cube 1"), ("middle", "cube 2"), ("rightmost", "cube 3")):
+        body, _ = resolve(parse_sketch(f"grab_and_putin('{said} cube', 'tray')"), task)
+        assert _ends(body) == {name: "tray"}

@@ -22,6 +22,7 @@ def tiny_network():  # a Network is not importable without torch
     ).eval()
     network.model.requires_grad_(False)
     network.tokenizer = Letters()
+    network.device = "cpu"
     layer = network.model.model.layers[0]
     network.adapters = {}
     for part in (layer.self_attn, layer.mlp):
@@ -43,11 +44,11 @@ class Letters:
         return 0
 
 
-def learn(checkpoint: Path, scenes: int, network=None):
+def learn(checkpoint: Path, examples: int, network=None):
     from app.training.training import Schedule, train  # noqa: PLC0415
 
     network = network or tiny_network()
-    schedule = Schedule(scenes=scenes, rate=0.02)
+    schedule = Schedule(examples=examples, rate=0.02, batch=1)
     return network, train(network, schedule, checkpoint, lambda text: None)
 
 
@@ -61,7 +62,7 @@ def test_a_stopped_run_goes_on_where_it_stood(tmp_path: Path) -> None:
     checkpoint = tmp_path / "checkpoint.npz"
     first, _ = learn(checkpoint, 3)
     resumed, progress = learn(checkpoint, 3)
-    assert (progress.scenes, progress.steps) == (3, 3)
+    assert (progress.examples, progress.steps) == (3, 3)
     for name, array in first.arrays().items():
         assert (resumed.arrays()[name] == array).all()
     _, further = learn(checkpoint, 5)

@@ -3,6 +3,7 @@
 import pytest
 
 from app.domain.errors import TaskDeclined
+from app.domain.trace import ExecutionStarted
 from app.llm.backends.scripted import Answer, ScriptedModel
 from app.planners import planners
 from app.planners.progprompt import ProgPrompt
@@ -96,6 +97,7 @@ def test_a_planner_never_learns_which_goal_conditions_were_missed(
     work(buried, BURIED, ONE)
     with database.reading() as session:
         failed = situation_of(session, plans.get(session, buried)).task.failed
+    assert failed is not None
     assert "in(apple, banana)" not in failed.outcome
 
 
@@ -155,6 +157,7 @@ def test_an_execution_can_take_over_the_state_before_a_line(
     line = read_execution(first).program.split("\n").index(OTHER.rstrip()) + 1
     with database.transaction() as session:
         plan = plans.get(session, plan_id)
+        assert plan.program is not None
         row = execution_of(session, plan)
         row.begins_after, row.begins_at_line = first, line
         row.program = plan.program.replace("'apple', 'bowl'", "'apple', 'banana'")
@@ -164,6 +167,7 @@ def test_an_execution_can_take_over_the_state_before_a_line(
     assert {"in(banana, bowl)", "on(apple, banana)"} <= set(execution.final_state)
     with database.reading() as session:
         started = events.all_of(session, row.id)[0]
+    assert isinstance(started, ExecutionStarted)
     assert [str(fact) for fact in started.facts] == ["in(banana, bowl)"]
 
 
