@@ -52,20 +52,9 @@ def _ends(body):
     return {each.arguments[0]: each.arguments[1] for each in body if isinstance(each, ActionCall)}
 
 
-def _calls(
-    sketch, objects, sentence="do it", history=(), facts=frozenset(), failed=None, actions=None
-):
-    body, _ = resolve(
-        parse_sketch(sketch),
-        _task(
-            {name: {} for name in objects},
-            sentence,
-            history=history,
-            facts=facts,
-            failed=failed,
-            actions=actions or ACTIONS,
-        ),
-    )
+def _calls(sketch, objects, sentence="do it", **given):
+    task = replace(_task({name: {} for name in objects}, sentence), **given)
+    body, _ = resolve(parse_sketch(sketch), task)
     return [str(each) for each in body if isinstance(each, ActionCall)]
 
 

@@ -45,10 +45,12 @@ def test_plain_tasks_put_where_they_are_meant_to_in_a_scene_of_their_own() -> No
         calls = parse_sketch(example.target).body
         wanted = {}
         for call in calls:
-            plain = isinstance(call, SketchCall) and call.action == "grab_and_putin"
-            if not plain or not all(_is_plain(each) for each in call.arguments):
+            if not isinstance(call, SketchCall) or call.action != "grab_and_putin":
                 break
-            wanted[str(call.arguments[0].text)] = str(call.arguments[1].text)
+            phrases = [each for each in call.arguments if isinstance(each, Phrase)]
+            if len(phrases) < 2 or not all(map(_is_plain, phrases)):
+                break
+            wanted[phrases[0].text] = phrases[1].text
         else:
             names = [*wanted, *wanted.values()]
             if example.kind in ("typo", "foreign", "dialogue") or len(set(names)) < 2 * len(calls):
