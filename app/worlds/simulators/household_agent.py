@@ -187,13 +187,27 @@ class HouseholdAgent:
             graph.bring_close(me, stayed)
 
     def put(self, item: Node, relation: str, target: Node) -> None:
-        """Let go of it in (``INSIDE``) or on (``ON``) the target."""
+        """Let go of it in (``INSIDE``) or on (``ON``) the target, as that one affords."""
         graph = self.graph
+        relation = self.afforded(relation, target)
         for hand in HANDS:
             graph.remove(self.node, hand, item)
         graph.bring_close(self.node, target)
         graph.bring_close(item, target)
         graph.add(item, relation, target)
+
+    def afforded(self, relation: str, target: Node) -> str:
+        """``ON`` for what only has a surface, ``INSIDE`` for what is open and has none.
+
+        So "in the bed" and "on the garbage can" come out as they are meant; what has a door may
+        also have things on top. The official rules take the word as it is.
+        """
+        if self.official or target.is_room or "CAN_OPEN" in target.properties:
+            return relation
+        inside, flat = "CONTAINERS" in target.properties, "SURFACES" in target.properties
+        if inside == flat:
+            return relation
+        return "INSIDE" if inside else "ON"
 
     def let_go(self, item: Node) -> None:
         """Have it in no hand; it is in the room then."""

@@ -201,3 +201,10 @@ def test_an_action_takes_a_twentieth_of_a_millisecond(household):
 def test_an_unknown_thing_is_a_failure_like_any_other(home, do):
     with pytest.raises(ActionFailure, match="no unicorn"):
         do(home, "find unicorn")
+
+
+def test_a_thing_put_in_what_only_has_a_surface_lies_on_it(household, do):
+    world = household.open(Scene(world="household", environment="env0"), 0)
+    do(world, "find banana; grab banana; find bed; putin banana bed")
+    assert world.holds(Relation("on", ("banana", "bed")))
+    assert not world.holds(Relation("in", ("banana", "bed")))

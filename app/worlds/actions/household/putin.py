@@ -20,7 +20,8 @@ class PutIn:
             refuse(f"the {target} is in or on the {item} itself")
         agent.demand_held(item)
         agent.demand_close(target)
-        agent.demand_open(target)
+        if agent.afforded("INSIDE", target) == "INSIDE":
+            agent.demand_open(target)
 
     def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
         item, target = nodes
