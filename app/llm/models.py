@@ -13,12 +13,14 @@ from app.llm.weights import WeightFile, WeightPackages
 
 __all__ = ["Endpoint", "LlmConfig", "ModelSpec", "catalogue", "find_model", "open_model"]
 
-DEFAULT = ModelSpec(
+STANDARD = "situated"
+"""The adapted model that plans best on sentences nobody tuned on."""
+LARGE = ModelSpec(
     name="qwen2.5-coder-1.5b",
     backend="local",
     title="Qwen2.5-Coder 1.5B Instruct, Q4_K_M, run in process",
     licence="Apache-2.0",
-    aliases=("default",),
+    aliases=("large",),
     weights=WeightFile(
         name="qwen2.5-coder-1.5b-instruct-q4_k_m.gguf",
         bytes=1_117_320_768,
@@ -72,21 +74,21 @@ def catalogue(config: LlmConfig) -> tuple[ModelSpec, ...]:
         )
         for name, endpoint in config.endpoints
     )
-    return (DEFAULT, SMALL, *_adapted(config), SCRIPTED, *services)
+    return (LARGE, SMALL, *_adapted(config), SCRIPTED, *services)
 
 
 def _adapted(config: LlmConfig) -> Iterator[ModelSpec]:
     """Each shipped adapter, and each in the cache's ``adapters``, over its built-in model."""
-    bases = {spec.weights.sha256: spec for spec in (DEFAULT, SMALL) if spec.weights}
+    bases = {spec.weights.sha256: spec for spec in (LARGE, SMALL) if spec.weights}
     found = chain(adapters_in(SHIPPED), adapters_in(config.cache / "adapters"))
     for adapter in {each.name: each for each in found}.values():
-        base = bases.get(adapter.base_sha256, DEFAULT)  # opening it refuses a wrong base
+        base = bases.get(adapter.base_sha256, LARGE)  # opening it refuses a wrong base
         yield replace(
             base,
             name=adapter.name,
             title=f"{base.title}, with the adapter {adapter.path.name}",
             licence=adapter.licence or base.licence,
-            aliases=(),
+            aliases=("default",) if adapter.name == STANDARD else (),
             adapter=adapter,
         )
 

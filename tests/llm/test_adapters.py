@@ -61,7 +61,7 @@ def test_what_is_no_card_is_left_out_with_a_warning(config, tmp_path, caplog, te
 def test_adapter_never_takes_the_name_of_a_built_in_model(config, tmp_path):
     card = tmp_path / "adapters" / "mine.json"
     card.write_text(json.dumps(json.loads(card.read_text()) | {"name": "default"}))
-    assert find_model("default", config).adapter is None
+    assert find_model("default", config).name == "situated"
 
 
 def test_every_shipped_adapter_is_the_one_of_its_card_and_fits_its_base():

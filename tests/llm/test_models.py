@@ -6,7 +6,8 @@ from app.llm.models import Endpoint, LlmConfig, catalogue, find_model, open_mode
 
 
 def test_aliases_stand_for_their_models():
-    assert find_model("default", LlmConfig()).name == "qwen2.5-coder-1.5b"
+    assert find_model("default", LlmConfig()).name == "situated"
+    assert find_model("large", LlmConfig()).name == "qwen2.5-coder-1.5b"
     assert find_model("small", LlmConfig()).name == "qwen2.5-coder-0.5b"
 
 
@@ -18,7 +19,7 @@ def test_endpoints_of_the_settings_are_models_like_others():
 
 
 def test_unknown_model_is_refused_with_what_there_is():
-    with pytest.raises(UnknownName, match="no model 'gpt'; available: default, qwen"):
+    with pytest.raises(UnknownName, match="no model 'gpt'; available: default, large, qwen"):
         find_model("gpt", LlmConfig())
 
 
