@@ -18,6 +18,7 @@ from rich.progress import (
 from rich.table import Table
 
 from app.domain.errors import ProgPromptError
+from app.llm.embeddings import EMBEDDINGS
 from app.llm.models import ModelSpec, catalogue, find_model
 from app.llm.sources import weight_store
 from app.llm.weights import Progress as OnProgress
@@ -66,15 +67,20 @@ def list_models(as_json: bool) -> None:
 @click.argument("name", default="default")
 @click.option("--verify", "fully", is_flag=True, help="Read it all again if it is here already.")
 def fetch(name: str, fully: bool = False) -> None:
-    """Fetch the weights of the model NAME (without it, the default model's) and verify them."""
+    """Fetch the weights of the model NAME (without it, the default model's) and verify them.
+
+    An adapted model comes with the sentence embeddings by which its planner tells what is meant.
+    """
     with _errors_told():
         spec, store = _find(name)
         if spec.weights is None:
             click.echo(f"{spec.name} needs no weights", err=True)
             return
-        with _progress() as progress:
-            path = store.ensure(spec.weights, progress, fully=fully)
-    click.echo(f"{spec.name}: {path}")
+        wanted = [spec.weights] if spec.adapter is None else [spec.weights, *EMBEDDINGS]
+        for weights in wanted:
+            with _progress() as progress:
+                path = store.ensure(weights, progress, fully=fully)
+            click.echo(f"{weights.name}: {path}")
 
 
 @command.command()

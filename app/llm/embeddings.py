@@ -58,6 +58,8 @@ VOCABULARY = _weights(
     "07eced375cec144d27c900241f3e339478dec958f92fddbc551f295c992038a3",
 )
 
+EMBEDDINGS = (VOCABULARY, TENSORS)
+
 
 class SentenceEmbedder:
     """Texts → vectors whose products are the likeness of what they say.
@@ -96,9 +98,9 @@ class SentenceEmbedder:
 
 
 @cache
-def sentence_embedder() -> SentenceEmbedder:
-    """The one of this process."""
-    return SentenceEmbedder()
+def sentence_embedder(*, fetch: bool = True) -> SentenceEmbedder:
+    """The one of this process; without ``fetch`` it is only to be had where its weights are."""
+    return SentenceEmbedder(LlmConfig(fetch=fetch))
 
 
 def _find(weights: WeightFile, config: LlmConfig) -> Path:

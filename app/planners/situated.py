@@ -57,9 +57,13 @@ class Situated:
 
 
 def _likeness(text: str, names: Sequence[str]) -> Sequence[float]:
-    """How like each name is to the words in meaning; not at all where that cannot be told."""
+    """How like each name is to the words in meaning; not at all where the weights are absent.
+
+    They come with the model (``progprompt models fetch``): nobody waits for them in mid-plan.
+    """
+    embedder = sentence_embedder(fetch=False)
     try:
-        (words,), embedded = sentence_embedder().embed([text]), sentence_embedder().embed(names)
+        (words,), embedded = embedder.embed([text]), embedder.embed(names)
     except ModelUnavailable:
         return [0.0] * len(names)
     return [float(each) for each in embedded @ words]
