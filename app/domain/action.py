@@ -15,6 +15,8 @@ class Parameter:
     """A ``container`` holds things where the scene has any that do; a ``support`` is any object."""
     words: tuple[str, ...] = ()
     """What a ``word`` may be: ``("left", "right")``."""
+    affordance: str | None = None
+    """What it has to afford, ``can_open``, in scenes whose objects tell of their affordances."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -141,6 +141,7 @@ class ActionFailure(ProgPromptError):
         *,
         remedy: tuple[ActionCall, ...] = (),
         pose: Pose | None = None,
+        needless: bool = False,
     ) -> None:
         self.stage = stage
         self.reason = reason
@@ -148,6 +149,8 @@ class ActionFailure(ProgPromptError):
         """Calls that would bring about the precondition that is missing, where there are any."""
         self.pose = pose
         """The gripper's, between the finger tips, where it could not come to."""
+        self.needless = needless
+        """What the step would bring about holds already."""
         super().__init__(f"{stage}: {reason}")
 
 

@@ -2,7 +2,8 @@
 
 What it binds: the actions on offer with the number and kinds of their arguments, the scene's own
 object names as Python literals, a container where a container is wanted (as far as the scene has
-any), one of the words where a word is wanted, never an object onto itself, and at most
+any), what affords it where objects tell of their affordances (no door to a table, nothing put
+onto a room), one of the words where a word is wanted, never an object onto itself, and at most
 ``MAX_STEPS`` steps, so that no text is endless.
 """
 
@@ -10,10 +11,12 @@ from collections.abc import Iterable, Sequence
 
 from app.domain.action import ActionSignature, Parameter
 from app.domain.program import literal
-from app.domain.scene import Scene
+from app.domain.scene import Scene, SceneObject
 
 INDENT = "    "
 MAX_STEPS = 40
+ROOM = "room"
+"""A category: one goes there, and puts nothing in or on it."""
 MAX_COMMENT = 100
 """Characters."""
 GROUP = 12
@@ -29,6 +32,14 @@ STATES = {
     "switched_off": "is 'switchoff'",
 }
 """Relations of one object, as the paper asserts them; ``near`` is told before the name."""
+NEEDED = {
+    "held": "grabbable",
+    "open": "can_open",
+    "closed": "can_open",
+    "switched_on": "has_switch",
+    "switched_off": "has_switch",
+}
+"""What an object affords that such a relation can be true of."""
 NEAR = "'close' to "
 
 
@@ -76,6 +87,9 @@ class _Words:
         self.names = scene.names
         holders = tuple(item.name for item in scene.objects if item.container)
         self.holders = holders or scene.names
+        things = tuple(item.name for item in scene.objects if item.category != ROOM)
+        self.supports = things or scene.names
+        self._affordances = {item.name: _affordances(item) for item in scene.objects}
         self.rules: list[str] = []
         self._known: dict[str, str] = {}
 
@@ -105,15 +119,21 @@ class _Words:
             second = Parameter(name="", role="container" if name == "in" else "support")
             pair = self._pairs(Parameter(name=""), second, _quote(f" {name} "))
             forms += [pair] if pair else []
-        if self.names:
-            name = self._name(self.names)
-            states = [_quote(f" {STATES[each]}") for each in asserted if each in STATES]
-            forms += [f"{name} ({' | '.join(states)})"] if states else []
-            forms += [f"{_quote(NEAR)} {name}"] if "near" in asserted else []
+        forms += self._states([name for name in asserted if name in STATES])
+        if self.names and "near" in asserted:
+            forms.append(f"{_quote(NEAR)} {self._name(self.names)}")
         if not forms:
             return ()
         self.rules.append(f'assertion ::= "assert(" ({" | ".join(forms)}) ")\\n" recovery{{1,3}}')
         return ("assertion",)
+
+    def _states(self, asserted: Sequence[str]) -> list[str]:
+        """Assertions of one object: each of those that can be so."""
+        spoken: dict[tuple[str, ...], list[str]] = {}
+        for name in asserted:
+            if able := self._affording(self.names, NEEDED[name]):
+                spoken.setdefault(able, []).append(_quote(f" {STATES[name]}"))
+        return [f"{self._name(able)} ({' | '.join(said)})" for able, said in spoken.items()]
 
     def _objects(self, parameters: Sequence[Parameter]) -> str | None:
         """What stands for these parameters; empty for none of them."""
@@ -151,7 +171,14 @@ class _Words:
                 return self._name(choices) if choices else None
 
     def _choices(self, parameter: Parameter) -> tuple[str, ...]:
-        return self.holders if parameter.role == "container" else self.names
+        roles = {"container": self.holders, "support": self.supports}
+        return self._affording(roles.get(parameter.role, self.names), parameter.affordance)
+
+    def _affording(self, names: tuple[str, ...], affordance: str | None) -> tuple[str, ...]:
+        """Those that afford it; all of them where no object of the scene tells what it affords."""
+        if affordance is None or not any(self._affordances.values()):
+            return names
+        return tuple(name for name in names if affordance in self._affordances[name])
 
     def _pairs(self, one: Parameter, other: Parameter, between: str) -> str | None:
         """Two different objects: the first decides which are left for the second."""
@@ -182,6 +209,10 @@ class _Words:
             self._known[body] = f"{kind}-{len(self.rules)}"
             self.rules.append(f"{self._known[body]} ::= {body}")
         return self._known[body]
+
+
+def _affordances(item: SceneObject) -> frozenset[str]:
+    return frozenset(dict(item.properties).get("affordances", "").split())
 
 
 def _can_be(parameter: Parameter) -> bool:

@@ -21,10 +21,15 @@ export async function get(path) {
 }
 
 /** Sends `body` to `path`. */
-export async function post(path, body = {}, headers = {}) {
+export const post = (path, body = {}, headers = {}) => send("POST", path, body, headers);
+
+/** Puts `body` at `path`. */
+export const put = (path, body) => send("PUT", path, body);
+
+async function send(method, path, body, headers = {}) {
   return answer(
     await reach(path, {
-      method: "POST",
+      method,
       headers: { "Content-Type": "application/json", ...headers },
       body: JSON.stringify(body),
     }),

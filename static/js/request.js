@@ -1,7 +1,8 @@
 // The request: what is asked for, from the form to POST /plans, and errors at their fields.
 
-import { post, Problem } from "./api.js";
+import { post } from "./api.js";
 import { byId, h } from "./dom.js";
+import { Faults } from "./faults.js";
 import { recall, remember } from "./memory.js";
 import { SceneEditor } from "./scene.js";
 import { Settings } from "./settings.js";
@@ -11,6 +12,7 @@ export class RequestForm {
   constructor(accepted) {
     this.accepted = accepted;
     this.form = byId("request");
+    this.faults = new Faults(this.form, byId("problem"));
     this.settings = new Settings();
     this.scene = new SceneEditor((ready) => this.takeTask(ready));
     // The goal that came with an instruction counts for that instruction only.
@@ -57,7 +59,7 @@ export class RequestForm {
 
   set(name, value) {
     this.text[name].value = value;
-    this.clear();
+    this.faults.clear();
     this.typed(name);
   }
 
@@ -105,7 +107,7 @@ export class RequestForm {
   async submit(event) {
     event.preventDefault();
     if (this.busy) return;
-    this.clear();
+    this.faults.clear();
     this.busy = true;
     const run = byId("run");
     run.disabled = true;
@@ -114,56 +116,12 @@ export class RequestForm {
       // The key makes a request that was sent twice one plan.
       this.accepted(await post("/plans", this.request(), { "Idempotency-Key": crypto.randomUUID?.() ?? String(Math.random()) }));
     } catch (error) {
-      this.fail(error);
+      this.faults.show(error);
     } finally {
       this.busy = false;
       run.disabled = false;
       run.textContent = "Run";
     }
-  }
-
-  /** Show an error where it belongs; what belongs nowhere is shown above the button. */
-  fail(error) {
-    const faults = error instanceof Problem ? error.errors : [];
-    const homeless = faults.filter((fault) => !this.mark(fault));
-    const told = homeless.length ? homeless.map((fault) => `${fault.field}: ${fault.message}`).join("\n") : error.message;
-    const problem = byId("problem");
-    problem.hidden = false;
-    problem.textContent = faults.length && !homeless.length ? "Something has to be mended; see the marked fields." : told;
-    this.form.querySelector('[aria-invalid="true"]')?.focus();
-  }
-
-  mark({ field, message }) {
-    const path = field.split(".");
-    while (path.length) {
-      const place = this.form.querySelector(`[data-field="${CSS.escape(path.join("."))}"]`);
-      if (place) return this.markAt(place, field, message);
-      path.pop();
-    }
-    return false;
-  }
-
-  markAt(place, field, message) {
-    for (let part = place; part; part = part.parentElement.closest("details")) part.open = true;
-    const control = place.matches("input, textarea") ? place : place.querySelector("textarea:not([hidden]), input, select");
-    const id = `fault-${field}`;
-    const goalLine = /^goal\.(\d+)/.exec(field);
-    const text = goalLine ? `Line ${Number(goalLine[1]) + 1} ${message}` : message;
-    (place.matches("input") ? place.closest("li") : place).append(h("p", { class: "fault", id }, text));
-    if (place.dataset.field !== "scene") {
-      control?.setAttribute("aria-invalid", "true");
-      control?.setAttribute("aria-describedby", id);
-    }
-    return true;
-  }
-
-  clear() {
-    byId("problem").hidden = true;
-    this.form.querySelectorAll(".fault").forEach((fault) => fault.remove());
-    this.form.querySelectorAll("[aria-invalid]").forEach((control) => {
-      control.removeAttribute("aria-invalid");
-      control.removeAttribute("aria-describedby");
-    });
   }
 
   async copyCurl() {
@@ -174,7 +132,7 @@ export class RequestForm {
       button.textContent = "Copied";
       setTimeout(() => (button.textContent = "Copy as curl"), 1500);
     } catch (error) {
-      this.fail(error);
+      this.faults.show(error);
     }
   }
 }

@@ -118,10 +118,14 @@ class HouseholdAgent:
             _fail(f"the {node} is closed", *self.to_reach(node), *first, _opened(node))
 
     def demand_state(self, node: Node, state: str, *, verb: str) -> None:
-        """Raises ActionFailure: it is not in this state; ``verb`` brings it about, if one does."""
+        """Raises ActionFailure: it is not in this state; ``verb`` brings it about.
+
+        Without a verb it is in the other state, which the action would bring about.
+        """
         if state not in node.states:
             remedy = (_call(verb, node),) if verb else ()
-            _fail(f"the {node} is not {state.lower()}", *remedy)
+            reason = f"the {node} is not {state.lower()}"
+            raise ActionFailure("check", reason, remedy=remedy, needless=not verb)
 
     def to_reach(self, node: Node) -> tuple[ActionCall, ...]:
         """The calls that bring the agent close to it; none where it is."""

@@ -2,6 +2,7 @@
 
 from app.domain.scene import SceneObject
 from app.domain.world import ObjectKind
+from app.worlds.simulators.household_agent import OPENABLE
 from app.worlds.simulators.household_graph import AGENT, HouseholdGraph, Node
 
 _HOLDING = frozenset(("CONTAINERS", "SURFACES", "RECIPIENT"))
@@ -15,7 +16,7 @@ def things(graph: HouseholdGraph) -> tuple[SceneObject, ...]:
 def _described(graph: HouseholdGraph, name: str) -> SceneObject:
     nodes = graph.named(name)
     first = nodes[0]
-    affordances = sorted({each for node in nodes for each in node.properties})
+    affordances = sorted({each for node in nodes for each in node.properties} | _ways(name))
     properties = [("affordances", " ".join(affordances).lower())] if affordances else []
     rooms = {room.name for node in nodes if (room := graph.room_of(node)) and room is not node}
     if rooms:
@@ -29,6 +30,11 @@ def _described(graph: HouseholdGraph, name: str) -> SceneObject:
         container=bool(first.properties & _HOLDING),
         properties=tuple(properties),
     )
+
+
+def _ways(name: str) -> set[str]:
+    """What it affords though its properties do not say so."""
+    return {"CAN_OPEN"} if name in OPENABLE else set()
 
 
 def _category(node: Node) -> str:

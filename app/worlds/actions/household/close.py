@@ -10,7 +10,7 @@ class Close:
 
     signature = ActionSignature(
         name="close",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="can_open"),),
         meaning="Close obj.",
     )
 

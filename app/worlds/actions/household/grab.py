@@ -10,7 +10,7 @@ class Grab:
 
     signature = ActionSignature(
         name="grab",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="grabbable"),),
         meaning="Take obj into a hand.",
     )
 

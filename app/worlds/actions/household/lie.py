@@ -13,7 +13,7 @@ class Lie:
 
     signature = ActionSignature(
         name="lie",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="lieable"),),
         meaning="Lie down on obj.",
     )
 

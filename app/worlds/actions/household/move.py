@@ -10,7 +10,7 @@ class Move:
 
     signature = ActionSignature(
         name="move",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="movable"),),
         meaning="Move obj.",
     )
 

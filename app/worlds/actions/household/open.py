@@ -10,7 +10,7 @@ class Open:
 
     signature = ActionSignature(
         name="open",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="can_open"),),
         meaning="Open obj.",
     )
 

@@ -10,7 +10,7 @@ class PlugIn:
 
     signature = ActionSignature(
         name="plugin",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="has_plug"),),
         meaning="Plug obj in.",
     )
 

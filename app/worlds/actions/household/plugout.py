@@ -10,7 +10,7 @@ class PlugOut:
 
     signature = ActionSignature(
         name="plugout",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="has_plug"),),
         meaning="Plug obj out.",
     )
 

@@ -10,7 +10,7 @@ class Pull:
 
     signature = ActionSignature(
         name="pull",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="movable"),),
         meaning="Pull obj.",
     )
 

@@ -10,7 +10,7 @@ class Push:
 
     signature = ActionSignature(
         name="push",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="movable"),),
         meaning="Push obj.",
     )
 

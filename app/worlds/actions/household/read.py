@@ -10,7 +10,7 @@ class Read:
 
     signature = ActionSignature(
         name="read",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="readable"),),
         meaning="Read obj, held in a hand.",
     )
 

@@ -13,7 +13,7 @@ class Sit:
 
     signature = ActionSignature(
         name="sit",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="sittable"),),
         meaning="Sit down on obj.",
     )
 

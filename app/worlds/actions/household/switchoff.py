@@ -10,7 +10,7 @@ class SwitchOff:
 
     signature = ActionSignature(
         name="switchoff",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="has_switch"),),
         meaning="Switch obj off.",
     )
 

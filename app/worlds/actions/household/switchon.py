@@ -10,7 +10,7 @@ class SwitchOn:
 
     signature = ActionSignature(
         name="switchon",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="has_switch"),),
         meaning="Switch obj on.",
     )
 

@@ -10,7 +10,7 @@ class Watch:
 
     signature = ActionSignature(
         name="watch",
-        parameters=(Parameter(name="obj"),),
+        parameters=(Parameter(name="obj", affordance="lookable"),),
         meaning="Watch obj.",
     )
 
