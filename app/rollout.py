@@ -64,7 +64,7 @@ def plan_task(
             rehearsal(),
             lambda some: ground(some, task.scene, task.actions, world.relations),
         )
-        if mended.added:
+        if mended.program is not program:
             text = print_program(mended.program)
             program, plan = understand(text, task.scene, world)
     return Planned(draft=draft, text=text, program=program, plan=plan)

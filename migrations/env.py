@@ -7,10 +7,11 @@ The service hands over the connection on which it holds the migration lock. On t
 from alembic import context
 from sqlalchemy import Connection, create_engine
 
-from app.storage import evaluations, events, executions, frames, plans, scenes, workers
+from app.storage import assets, evaluations, events, executions, frames, plans, scenes, workers
 from app.storage.base import Base
 
 TABLES = (
+    assets,
     evaluations,
     events,
     executions,

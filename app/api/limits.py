@@ -7,11 +7,12 @@ from app.api.errors import Problem
 from app.domain.errors import Fault
 
 MAX_BODY = 1_000_000  # bytes
-TOO_LARGE = f"the body has more than {MAX_BODY} bytes"
+LARGER = {"/assets": 20_000_000}
+"""Paths that take more, and how much [bytes]."""
 
 
 class BodyLimit:
-    """Refuses a body of more than ``MAX_BODY`` bytes, whether it says its length or not."""
+    """Refuses a body of too many bytes, whether it says its length or not."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
@@ -21,9 +22,10 @@ class BodyLimit:
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
+        most = LARGER.get(scope["path"], MAX_BODY)
         declared = dict(scope["headers"]).get(b"content-length", b"0")
-        if declared.isdigit() and int(declared) > MAX_BODY:
-            await _refuse(scope, receive, send)
+        if declared.isdigit() and int(declared) > most:
+            await _refuse(most, scope, receive, send)
             return
         received = 0
 
@@ -31,13 +33,17 @@ class BodyLimit:
             nonlocal received
             message = await receive()
             received += len(message.get("body", b""))
-            if received > MAX_BODY:
-                raise HTTPException(413, TOO_LARGE)
+            if received > most:
+                raise HTTPException(413, _too_large(most))
             return message
 
         await self._app(scope, counted, send)
 
 
-async def _refuse(scope: Scope, receive: Receive, send: Send) -> None:
-    fault = Fault(field="body", message=TOO_LARGE)
-    await Problem(413, TOO_LARGE, faults=[fault])(scope, receive, send)
+def _too_large(most: int) -> str:
+    return f"the body has more than {most} bytes"
+
+
+async def _refuse(most: int, scope: Scope, receive: Receive, send: Send) -> None:
+    fault = Fault(field="body", message=_too_large(most))
+    await Problem(413, _too_large(most), faults=[fault])(scope, receive, send)

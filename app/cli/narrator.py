@@ -41,7 +41,8 @@ class Narrator:
     def plan_ready(self, plan: dict[str, Any]) -> None:
         """The program as it was understood, or why there is none."""
         usage = plan.get("usage") or {}
-        if plan.get("program") and not self._written:
+        told = self._written and (plan.get("completion") or "").strip() in (plan["program"] or "")
+        if plan.get("program") and not told:
             code = Syntax(
                 plan["program"].strip(), "python", background_color="default", word_wrap=True
             )

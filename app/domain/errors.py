@@ -6,6 +6,7 @@ ProgPromptError
 │   ├── InstructionRefused  the instruction is empty, too long or not text
 │   ├── ProgramRefused      the program is outside the plan language
 │   ├── GoalRefused         a goal condition is malformed or names what is not there
+│   ├── AssetRefused        the mesh is unreadable, too large, or not the size of a thing on a table
 │   └── UnknownName         no world, planner, model, action, kind … of that name
 ├── NotThere                nothing is stored under this id
 ├── Conflict                the resource is in a state that does not allow this
@@ -62,6 +63,10 @@ class ProgramRefused(Refused):
 
 class GoalRefused(Refused):
     """A goal condition is malformed, or names what is not in the scene."""
+
+
+class AssetRefused(Refused):
+    """A client's mesh is unreadable, too large, or not the size of a thing on a table."""
 
 
 class UnknownName(Refused):

@@ -1,12 +1,16 @@
-"""A plan tried where nothing slips: what a step's missing precondition calls for is put before it."""
+"""A plan tried where nothing slips: what a step's missing precondition calls for is put before it.
 
-from collections.abc import Callable, Sequence
+What is so already need not be done: such a step is left out. An assertion whose recovery fails is
+written out as the calls of it that can be made.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import assert_never
+from typing import TypeVar, assert_never
 
 from app.domain.condition import decide
 from app.domain.errors import ActionFailure
-from app.domain.plan import GroundedAssertion, GroundedBranch, GroundedCall, Plan, Step
+from app.domain.plan import Call, GroundedAssertion, GroundedBranch, GroundedCall, Plan, Step
 from app.domain.program import (
     ActionCall,
     Assertion,
@@ -29,6 +33,7 @@ MAX_MISSING = 4
 """Preconditions of one call that are brought about one after the other."""
 
 Ground = Callable[[Program], Plan]
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,16 +41,19 @@ class Repair:
     """A program with what it lacked."""
 
     program: Program
-    """The program itself where nothing was lacking; else with its loops and helpers written out."""
+    """The program itself where nothing was amiss; else with its loops and helpers written out."""
     added: tuple[ActionCall, ...] = ()
     """The calls that were put in, in order."""
+    dropped: tuple[ActionCall, ...] = ()
+    """The calls that were left out, in order."""
 
 
 def repair(program: Program, scene: Scene, perfect: World, ground: Ground) -> Repair:
     """Run the program on a perfect executor, and put in what its steps lack.
 
     Where a step fails for a precondition whose remedy the world knows, the remedy's calls are put
-    before it, under a comment with the reason. A step that no remedy helps stays as it is.
+    before it, under a comment with the reason. A step that no remedy helps stays as it is, unless
+    it is needless.
 
     Args:
         program: as it was parsed.
@@ -58,9 +66,13 @@ def repair(program: Program, scene: Scene, perfect: World, ground: Ground) -> Re
     """
     repairing = _Repairing(perfect, ground)
     body = tuple(repairing.walk(unroll(program, scene)))
-    if not repairing.added:
+    if not repairing.changed:
         return Repair(program=program)
-    return Repair(program=replace(program, helpers=(), body=body), added=tuple(repairing.added))
+    return Repair(
+        program=replace(program, helpers=(), body=body),
+        added=tuple(repairing.added),
+        dropped=tuple(repairing.dropped),
+    )
 
 
 class _Repairing:
@@ -68,6 +80,8 @@ class _Repairing:
         self._world = world
         self._ground = ground
         self.added: list[ActionCall] = []
+        self.dropped: list[ActionCall] = []
+        self.changed = False
 
     def walk(self, statements: Sequence[Statement]) -> list[Statement]:
         """The statements with what they lack; of a branch only the side that is taken is seen to."""
@@ -77,8 +91,7 @@ class _Repairing:
                 case ActionCall():
                     found += self._see_to(statement)
                 case Assertion():
-                    self._recover(statement)
-                    found.append(statement)
+                    found += self._recover(statement)
                 case Branch():
                     found.append(self._side(statement))
                 case Comment() | Pass():
@@ -97,28 +110,57 @@ class _Repairing:
             return replace(branch, body=tuple(self.walk(branch.body)))
         return replace(branch, otherwise=tuple(self.walk(branch.otherwise)))
 
-    def _recover(self, assertion: Assertion) -> None:
-        """Do what the assertion would have done."""
+    def _recover(self, assertion: Assertion) -> list[Statement]:
+        """Do what the assertion would have done; where that fails, the calls that can be made."""
         step = self._step(assertion)
         if not isinstance(step, GroundedAssertion):
-            return
-        for call in step.recovery:
+            return [assertion]
+        before = self._world.save()
+        if all(self._goes_well(call) for call in self._lacking(step, step.recovery)):
+            return [assertion]
+        self._world.restore(before)
+        self.changed = True
+        found: list[Statement] = []
+        for call in self._lacking(step, assertion.recovery):
+            found += self._if_possible(call)
+        return found
+
+    def _lacking(self, step: GroundedAssertion, recovery: Sequence[_T]) -> Iterator[_T]:
+        """The recovery's calls one by one, as long as the condition is false."""
+        for call in recovery:
             if decide(step.condition, self._world.holds):
                 return
-            if isinstance(call, GroundedCall):
-                self._perform(call)
+            yield call
+
+    def _goes_well(self, call: Call) -> bool:
+        return isinstance(call, GroundedCall) and self._perform(call) is None
 
     def _see_to(self, call: ActionCall) -> list[Statement]:
-        before, added = self._world.save(), len(self.added)
+        found = self._tried(call)
+        return [call] if found is None else found
+
+    def _if_possible(self, call: ActionCall) -> list[Statement]:
+        found = self._tried(call)
+        if found is None:
+            self.dropped.append(call)
+        return found or []
+
+    def _tried(self, call: ActionCall) -> list[Statement] | None:
+        """The call with what it lacks, done; None, and nothing done, where nothing helps."""
+        before, added, dropped = self._world.save(), len(self.added), len(self.dropped)
         found = self._with_remedies(call, MAX_DEPTH)
         if found is None:
             self._world.restore(before)
-            del self.added[added:]
-            return [call]
+            del self.added[added:], self.dropped[dropped:]
+        elif found != [call]:
+            self.changed = True
         return found
 
     def _with_remedies(self, call: ActionCall, depth: int) -> list[Statement] | None:
-        """The call with what has to come before it, done; None where nothing helps."""
+        """The call with what has to come before it, done; None where nothing helps.
+
+        Where it is needless, a comment says so in its stead.
+        """
         step = self._step(call)
         if not isinstance(step, GroundedCall):
             return None
@@ -127,6 +169,9 @@ class _Repairing:
             failure = self._perform(step)
             if failure is None:
                 return [*found, call]
+            if failure.needless:
+                self.dropped.append(call)
+                return [*found, Comment(text=f"left out, for {failure.reason}", line=call.line)]
             remedy = self._remedy(failure, depth)
             if remedy is None:
                 return None

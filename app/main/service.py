@@ -25,6 +25,6 @@ def create_service(settings: Settings) -> FastAPI:
         llm=llm_config(settings),
         default_model=settings.model,
     )
-    furnish(settings)
+    furnish(settings, database)
     viewer = Viewer(lambda execution_id: StoredRollout(database, execution_id))
     return create_app(parts, viewer)

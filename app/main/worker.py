@@ -23,7 +23,7 @@ def create_worker(settings: Settings, queue: Queue, worker_id: str) -> WorkerPro
     database = Database(settings.database)
     jobs = Jobs(database)
     handover = Handover(jobs)
-    furnish(settings)
+    furnish(settings, database)
     models = Models(llm_config(settings), settings.model)
     if queue == "planning":
         desk = SharedDesk(Planning(database, handover, models), Evaluating(database, jobs, models))

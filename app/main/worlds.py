@@ -1,12 +1,21 @@
-"""What the settings say about worlds."""
+"""What the settings and the database say about worlds."""
 
 from app.settings import Settings
+from app.storage.assets import lookup
+from app.storage.database import Database
 from app.worlds import worlds
 from app.worlds.household import Household
+from app.worlds.tabletop import Tabletop
 
 
-def furnish(settings: Settings) -> None:
-    """Load the worlds, now rather than at the first request, with the homes of the settings."""
+def furnish(settings: Settings, database: Database) -> None:
+    """Load the worlds, now rather than at the first request.
+
+    The household gets the homes of the settings, the tabletop the assets of the database.
+    """
     household = worlds["household"]
     assert isinstance(household, Household)
     household.homes(settings.household_data)
+    tabletop = worlds["tabletop"]
+    assert isinstance(tabletop, Tabletop)
+    tabletop.assets(lookup(database))

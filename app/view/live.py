@@ -8,11 +8,16 @@ import viser
 
 from app.view.solids import body_glb
 
+Point = tuple[float, float, float]
+"""x, y, z in the model's world [m]."""
+
 CAMERA_POSITION = (1.8, -1.1, 1.0)
 CAMERA_TARGET = (0.4, 0.0, 0.14)
 """From the front right, a little above: the arm is seen working towards the watcher [m]."""
 CAMERA_FOV = 0.7
 """Vertical angle of view [rad]."""
+WATCHER = "watcher"
+"""Name of the camera that a model may bring along, looking down at what is to be seen."""
 STILL = 1e-6
 """Below this a pose has not changed [m], and for quaternions' components."""
 
@@ -73,9 +78,7 @@ class Drawing:
         canvas = self._canvas
         one = isinstance(canvas, viser.ClientHandle)
         camera = canvas.camera if one else canvas.initial_camera
-        camera.position = CAMERA_POSITION
-        camera.look_at = CAMERA_TARGET
-        camera.fov = CAMERA_FOV
+        camera.position, camera.look_at, camera.fov = view_of(self._model)
 
     def _draw_bodies(self) -> list[Limb]:
         limbs: list[Limb] = []
@@ -92,6 +95,21 @@ class Drawing:
             if self._model.body_jntnum[body_id]:
                 limbs.append(Limb(body_id, parent_id, node, *pose))
         return limbs
+
+
+def view_of(model: mujoco.MjModel) -> tuple[Point, Point, float]:
+    """Where a watcher's camera stands and where it looks [m], and its vertical angle [rad].
+
+    A model's own camera looks at the point of the floor (z = 0) in the middle of its picture.
+    """
+    camera = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_CAMERA, WATCHER)
+    if camera < 0:
+        return CAMERA_POSITION, CAMERA_TARGET, CAMERA_FOV
+    position, axis = model.cam_pos[camera], np.empty(3)
+    mujoco.mju_rotVecQuat(axis, np.array((0.0, 0.0, -1.0)), model.cam_quat[camera])
+    x, y, z = position.tolist()
+    ahead = (position - axis * (z / axis[2])).tolist()
+    return (x, y, z), (ahead[0], ahead[1], 0.0), float(np.radians(model.cam_fovy[camera]))
 
 
 def _move(limb: Limb, position: np.ndarray, quaternion: np.ndarray) -> None:

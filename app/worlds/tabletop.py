@@ -1,11 +1,12 @@
 """Tabletop: a table of objects and a Franka Panda, in MuJoCo."""
 
 import struct
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import mujoco
 import numpy as np
 
+from app.domain.asset import Asset
 from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.domain.perception import Perception
@@ -43,6 +44,10 @@ class Tabletop:
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""
         return tuple(kind.entry() for kind in kinds.values())
+
+    def assets(self, find: Callable[[str], Asset | None]) -> None:
+        """Look up by ``find`` the meshes that scenes name as ``asset:<id>``."""
+        kinds.assets.search(find)
 
     def complete(self, scene: Scene, seed: int) -> Scene:
         """The scene with kinds, sizes, colours and places for all objects."""

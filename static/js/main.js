@@ -1,10 +1,13 @@
-// The page: a form on one side, the plan that the address names on the other.
+// The page: a form on one side, the plan or the evaluation that the address names on the other.
 
+import { byId } from "./dom.js";
 import { Earlier } from "./earlier.js";
+import { Evaluations } from "./evaluations.js";
 import { watchReadiness } from "./readiness.js";
 import { RequestForm } from "./request.js";
 import { Watch } from "./watch.js";
 
+const evaluations = new Evaluations();
 const earlier = new Earlier();
 const form = new RequestForm((plan) => show(plan));
 const watch = new Watch({
@@ -17,13 +20,21 @@ const watch = new Watch({
 function show(plan) {
   earlier.update(plan);
   location.hash = `#/plans/${plan.id}`;
-  if (matchMedia("(max-width: 899px)").matches) document.getElementById("result").scrollIntoView();
+  if (matchMedia("(max-width: 899px)").matches) byId("result").scrollIntoView();
 }
 
 function route() {
-  const [, id] = /^#\/plans\/([^/]+)$/.exec(location.hash) ?? [];
-  earlier.open(id ?? null);
-  if (id) watch.open(decodeURIComponent(id));
+  const [, part, id] = /^#\/(plans|evaluations)(?:\/([^/]+))?$/.exec(location.hash) ?? [];
+  const measuring = part === "evaluations";
+  byId("desk").hidden = measuring;
+  byId("evaluations").hidden = !measuring;
+  byId("to-evaluations").setAttribute("aria-current", measuring ? "page" : "false");
+  const named = id ? decodeURIComponent(id) : null;
+  if (measuring) evaluations.open(named);
+  else evaluations.close();
+  const plan = measuring ? null : named;
+  earlier.open(plan);
+  if (plan) watch.open(plan);
   else watch.close();
 }
 

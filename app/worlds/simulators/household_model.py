@@ -24,6 +24,12 @@ AGENT_COLOUR = (0.16, 0.42, 0.78, 1.0)
 DOOR_COLOUR = (0.55, 0.4, 0.26, 1.0)
 LAMP_COLOUR = (1.0, 0.8, 0.1, 1.0)
 FLOORS = ((0.87, 0.83, 0.74, 1), (0.78, 0.84, 0.86, 1), (0.85, 0.79, 0.8, 1), (0.8, 0.85, 0.77, 1))
+FOVY = 40.0
+"""Vertical angle of the watcher's camera [degrees]."""
+STEEP = np.radians(62)
+"""How far the camera's axis is turned down from level [rad]."""
+SHAPE, MARGIN = 4 / 3, 1.08
+"""Width of the picture over its height, and the home's room in it over its size."""
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -38,6 +44,7 @@ class HomeModel:
         high = np.max([corner[1] for corner in corners], axis=0)
         self.scale = WIDTH / float(max(high - low))
         self._middle = (low + high) / 2
+        self._extent = (high - low) * self.scale
         self.movable = [n for n in self.layout.things if "GRABBABLE" in n.properties]
         fixed = [n for n in self.layout.things if n not in self.movable]
         self.openable = [n for n in fixed if {"OPEN", "CLOSED"} & n.states]
@@ -88,7 +95,23 @@ class HomeModel:
         for node in self.switchable:
             if node.id not in self.address:
                 self._add_lamp(spec.worldbody, node, self._place(node))
+        self._add_watcher(spec)
         return spec.compile()
+
+    def _add_watcher(self, spec: mujoco.MjSpec) -> None:
+        """A camera steeply above the middle, the home's longer side across its picture."""
+        sideways = self._extent[1] > self._extent[0]
+        across, deep = np.sort(self._extent)[::-1] * MARGIN
+        half = np.tan(np.radians(FOVY) / 2)
+        # The near edge is the widest in the picture, so the distance is counted from there.
+        near = deep / 2 * np.cos(STEEP)
+        away = near + max(across / (2 * half * SHAPE), deep * np.sin(STEEP) / (2 * half))
+        back = np.array((1.0, 0.0, 0.0) if sideways else (0.0, -1.0, 0.0))
+        right = np.cross((0.0, 0.0, 1.0), back)
+        up = np.array((0.0, 0.0, np.cos(STEEP))) - back * np.sin(STEEP)
+        place = np.array((*MIDDLE, np.sin(STEEP) * away)) + back * np.cos(STEEP) * away
+        camera = spec.worldbody.add_camera(name="watcher", pos=place, fovy=FOVY)
+        camera.alt.xyaxes = np.concatenate((right, up))
 
     def _add_movables(self, spec: mujoco.MjSpec) -> None:
         for node in self.movable:

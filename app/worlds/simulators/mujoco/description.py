@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from app.domain.asset import ASSET
 from app.domain.errors import Fault
 from app.domain.scene import SceneObject
 from app.worlds.simulators.mujoco.colours import parse_colour
@@ -58,6 +59,8 @@ def _kind_of(item: SceneObject, where: str) -> tuple[Kind, list[Fault]]:
     if name is None:
         near = difflib.get_close_matches(asked.lower(), kinds, 3, 0.5) or list(kinds)
         message = f"there is no object kind {asked[:40]!r}; there is {', '.join(near)}"
+        if asked.startswith(ASSET):
+            message = f"there is no {asked[:40]!r}; GET /assets lists what there is"
         return kinds[match(asked)], [Fault(field=f"{where}.kind", message=message)]
     kind = kinds[name]
     if item.container and not kind.container:

@@ -3,10 +3,29 @@
 from functools import cache
 
 from app.registry import Registry
+from app.worlds.simulators.mujoco.asset_kind import AssetShelf
 from app.worlds.simulators.mujoco.kind import Kind
 from app.worlds.simulators.mujoco.matching import best_match
 
-kinds: Registry[Kind] = Registry(__name__, "object kind")
+
+class Kinds(Registry[Kind]):
+    """The kinds of this folder, and by ``asset:<id>`` the meshes clients brought.
+
+    Those are found by name only: whoever goes through all kinds meets the folder's.
+    """
+
+    assets = AssetShelf()
+
+    def __getitem__(self, name: str) -> Kind:
+        return self.assets.get(name) or super().__getitem__(name)
+
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and (
+            self.assets.get(name) is not None or super().__contains__(name)
+        )
+
+
+kinds = Kinds(__name__, "object kind")
 ANY = "neutral"
 """The kind of what has none of its own."""
 ANY_CONTAINER = "box"
