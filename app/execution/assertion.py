@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal, Protocol
 
-from app.domain.condition import Condition, decide
+from app.domain.condition import Condition, Relation, decide, relations
 from app.domain.llm import CompletionRequest, LanguageModel
 from app.domain.plan import GroundedAssertion, GroundedBranch
 from app.domain.trace import AssertionChecked, BranchDecided
@@ -70,10 +70,16 @@ class ModelCheck:
         Raises:
             ModelError: it could not be asked.
         """
-        prompt = write_state_query(condition, world.facts())
+        prompt = write_state_query(condition, world.facts() | _near(condition, world))
         request = CompletionRequest(prompt=prompt, max_tokens=MAX_TOKENS, stop=STOP)
         holds = "True" in self._model.complete(request).text
         return Verdict(holds=holds, by_model=holds)
+
+
+def _near(condition: Condition, world: World) -> frozenset[Relation]:
+    """What of the asserted things the agent is close to: too much to be told of everything."""
+    asked = (relation for relation in relations(condition) if relation.name == "near")
+    return frozenset(relation for relation in asked if world.holds(relation))
 
 
 class BothChecks:
