@@ -40,6 +40,11 @@ class ServiceClient:
         """The resource at ``path``."""
         return self._answer("GET", path)
 
+    def frames(self, execution_id: str) -> tuple[bytes, int]:
+        """An execution's frames, little-endian float32, and how many numbers each has."""
+        answer = self._request("GET", f"/executions/{execution_id}/frames")
+        return answer.content, int(answer.headers["Frame-Width"])
+
     def readiness(self) -> tuple[bool, str]:
         """Whether a plan can be made, and if not, what it waits for."""
         try:
@@ -76,6 +81,9 @@ class ServiceClient:
         raise click.ClickException(f"lost the service at {self.url} while following {path}")
 
     def _answer(self, method: str, path: str, **arguments: Any) -> dict[str, Any]:  # noqa: ANN401
+        return self._request(method, path, **arguments).json()
+
+    def _request(self, method: str, path: str, **arguments: Any) -> httpx.Response:  # noqa: ANN401
         try:
             answer = self._http.request(method, path, **arguments)
         except httpx.ConnectError as error:
@@ -87,7 +95,7 @@ class ServiceClient:
             ) from error
         if answer.is_error:
             raise click.ClickException(_problem(answer))
-        return answer.json()
+        return answer
 
 
 def _problem(answer: httpx.Response) -> str:
