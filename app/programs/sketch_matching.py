@@ -51,17 +51,26 @@ def fit(thing: Thing, described: Description) -> float:
         return MEMBER if described.vague else 0.0
     if described.vague and not described.whole:
         return MEMBER
-    best = max(
-        (_words_fit(thing, core) for core in {described.whole, described.core} if core),
-        default=0.0,
-    )
+    cores = {described.whole, described.core}
+    cores |= {_turned(core) for core in cores}
+    best = max((_words_fit(thing, core) for core in cores if core), default=0.0)
     if best < COUNTS and thing.english:
         best = 0.9 * fit(thing.english, described)
     return max(best, MEMBER) if described.vague else best
 
 
+def _turned(core: tuple[str, ...]) -> tuple[str, ...]:
+    """A jar of honey is a honey jar."""
+    if "of" not in core[1:-1]:
+        return core
+    place = core.index("of", 1)
+    return (*core[place + 1 :], *core[:place])
+
+
 def _words_fit(thing: Thing, core: tuple[str, ...]) -> float:
     """The best kind of evidence that these words, head last, mean the thing."""
+    if len(core) == 1 and core[0] == dict(thing.item.properties).get("material", "").lower():
+        return MEMBER  # "the glass goes to the green bin"
     wanted = normal(" ".join(core))
     if thing.words == core or normal(" ".join(thing.words)) == wanted:
         return SAME_WORDS

@@ -132,7 +132,7 @@ def spoken_of(phrase: Phrase, sentence: str) -> Phrase:
 
 def read_description(text: str) -> Description:
     """Read plain words."""
-    rest = _PIECES.sub("", " ".join(text.split()))
+    rest = _coloured(_PIECES.sub("", " ".join(text.split())))
     read = Description(text=rest, core=())
     rest, read = _negated(rest, read)
     rest, read = _placed(rest, read)
@@ -140,6 +140,14 @@ def read_description(text: str) -> Description:
     rest, read = _made(rest, read)
     rest, read = _called(rest, read)
     return _adjectives(words(rest), read)
+
+
+def _coloured(text: str) -> str:
+    """Whites are white things; greens are something to eat."""
+    colour = text.lower().removesuffix("s")
+    if colour != text.lower() and colour in COLOUR_WORDS and colour != "green":
+        return f"{colour} things"
+    return text
 
 
 def _negated(rest: str, read: Description) -> tuple[str, Description]:

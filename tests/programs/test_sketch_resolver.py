@@ -253,3 +253,25 @@ def test_a_side_that_is_said_counts_before_one_that_was_measured():
     for said, name in (("left", "cube 1"), ("middle", "cube 2"), ("rightmost", "cube 3")):
         body, _ = resolve(parse_sketch(f"grab_and_putin('{said} cube', 'tray')"), task)
         assert _ends(body) == {name: "tray"}
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("'jar of honey'", {"honey jar"}),
+        ("all('glass')", {"honey jar", "lens"}),
+        ("all('whites')", {"shirt", "sheet"}),
+        ("all('small parts')", {"lens", "sheet"}),
+    ],
+)
+def test_things_go_by_what_they_hold_are_made_of_and_look_like(said, meant):
+    properties = {
+        "honey jar": {"material": "glass", "size": "large"},
+        "jam jar": {"size": "large"},
+        "lens": {"material": "glass", "size": "small"},
+        "shirt": {"color": "white", "size": "large"},
+        "sheet": {"color": "white", "size": "small"},
+        "tray": {},
+    }
+    body, _ = resolve(parse_sketch(f"grab_and_putin({said}, 'tray')"), _task(properties))
+    assert set(_ends(body)) == meant
