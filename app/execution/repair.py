@@ -100,7 +100,8 @@ class _Repairing:
                     raise AssertionError("loops are unrolled before they are repaired")
                 case _:
                     assert_never(statement)
-        return found
+        silent = all(isinstance(each, Comment) for each in found)
+        return [*found, Pass()] if silent and statements else found
 
     def _side(self, branch: Branch) -> Branch:
         step = self._step(branch)
@@ -123,7 +124,7 @@ class _Repairing:
         found: list[Statement] = []
         for call in self._lacking(step, assertion.recovery):
             found += self._if_possible(call)
-        return found
+        return found or [Comment(text="left out, for it cannot be done", line=assertion.line)]
 
     def _lacking(self, step: GroundedAssertion, recovery: Sequence[_T]) -> Iterator[_T]:
         """The recovery's calls one by one, as long as the condition is false."""

@@ -8,7 +8,7 @@ from app.domain.action import ActionSignature, Parameter
 from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.domain.plan import GroundedCall
-from app.domain.program import ActionCall, Branch, Comment
+from app.domain.program import ActionCall, Assertion, Branch, Comment
 from app.domain.scene import Scene, SceneObject
 from app.domain.world import Stage
 from app.execution.interpreter import execute
@@ -29,6 +29,7 @@ ACTIONS = tuple(
         "grab": (Parameter(name="obj"),),
         "unlock": (Parameter(name="obj"),),
         "empty": (Parameter(name="obj"),),
+        "clean": (Parameter(name="obj"),),
         "puton": (Parameter(name="obj1"), Parameter(name="obj2")),
     }.items()
 )
@@ -61,6 +62,9 @@ class Kitchen:
 
     def _unlock(self, name):
         raise ActionFailure("check", "the key does not fit", remedy=(call("unlock", name),))
+
+    def _clean(self, name):
+        raise ActionFailure("check", f"the {name} is clean", needless=True)
 
     def _empty(self, name):
         remedy = (call("open", "fridge"), call("unlock", "safe"))
@@ -170,6 +174,31 @@ def test_a_remedy_that_comes_to_nothing_leaves_no_trace():
 def test_an_assertion_s_recovery_is_taken_into_account():
     found, program = repaired("assert not closed('fridge'), open('fridge')", "grab('milk')")
     assert found.program is program
+
+
+def test_a_needless_step_is_left_out_with_the_reason():
+    found, _ = repaired("clean('table')", "grab('table')")
+    assert print_program(found.program) == (
+        "def f():\n    # left out, for the table is clean\n    grab('table')\n"
+    )
+    assert [str(each) for each in found.dropped] == ["clean('table')"]
+
+
+def test_a_program_of_needless_steps_only_can_still_be_read():
+    found, _ = repaired("clean('table')")
+    assert not calls(parse_program(print_program(found.program)))
+
+
+def test_an_assertion_whose_recovery_lacks_something_is_written_out_with_it():
+    found, _ = repaired("assert on('milk', 'table'), grab('milk')")
+    assert calls(found.program) == ["open('fridge')", "grab('milk')"]
+
+
+def test_of_an_assertion_what_cannot_be_done_is_left_out():
+    found, _ = repaired("assert not closed('safe'), open('safe')", "grab('table')")
+    assert calls(found.program) == ["grab('table')"]
+    assert not [each for each in found.program.body if isinstance(each, Assertion)]
+    assert [str(each) for each in found.dropped] == ["open('safe')"]
 
 
 def test_of_a_branch_the_side_that_is_taken_is_repaired():

@@ -224,3 +224,44 @@ def test_where_nothing_can_be_done_only_pass_is_left(names):
     grammar = program_grammar(there, [GRAB], comments=True, feedback=True)
     assert allows(grammar, "pass")
     assert not allows(grammar, "grab_and_putin('bowl', 'bowl')")
+
+
+def test_only_what_affords_an_action_is_offered_for_it():
+    told = {"fridge": "can_open", "apple": "grabbable", "shelf": ""}
+    objects = tuple(
+        SceneObject(name=name, properties=(("affordances", words),)) for name, words in told.items()
+    )
+    room = SceneObject(name="kitchen", category="room")
+    home = Scene(world="home", objects=(*objects, room))
+    held = Parameter(name="obj1", affordance="grabbable")
+    actions = (
+        ActionSignature(
+            name="open", parameters=(Parameter(name="obj", affordance="can_open"),), meaning=""
+        ),
+        ActionSignature(
+            name="lay", parameters=(held, Parameter(name="obj2", role="support")), meaning=""
+        ),
+        ActionSignature(
+            name="ring", parameters=(Parameter(name="obj", affordance="has_bell"),), meaning=""
+        ),
+    )
+    asserted = ("held", "open", "switched_on")
+    text = program_grammar(home, actions, comments=False, feedback=True, relations=asserted)
+    for line in ("open('fridge')", "lay('apple', 'fridge')", "lay('apple', 'shelf')"):
+        assert allows(text, line)
+    assert allows(text, "assert('apple' in 'hands')", "    else: open('fridge')")
+    for line in ("open('apple')", "lay('fridge', 'shelf')", "lay('apple', 'kitchen')"):
+        assert not allows(text, line)
+    assert not allows(text, "assert('apple' is 'opened')", "    else: open('fridge')")
+    assert "ring" not in text
+    assert "switchon" not in text
+
+
+def test_where_no_object_tells_of_its_affordances_all_are_offered():
+    home = scene("fridge", "apple")
+    action = ActionSignature(
+        name="open", parameters=(Parameter(name="obj", affordance="can_open"),), meaning=""
+    )
+    text = program_grammar(home, (action,), comments=False, feedback=False)
+    assert "'fridge'" in text
+    assert "'apple'" in text

@@ -23,12 +23,12 @@ TALL = 1.7
 AGENT_COLOUR = (0.16, 0.42, 0.78, 1.0)
 DOOR_COLOUR = (0.55, 0.4, 0.26, 1.0)
 LAMP_COLOUR = (1.0, 0.8, 0.1, 1.0)
-FLOORS = ((0.87, 0.83, 0.74, 1), (0.78, 0.84, 0.86, 1), (0.85, 0.79, 0.8, 1), (0.8, 0.85, 0.77, 1))
+FLOORS = ((0.76, 0.66, 0.5, 1), (0.5, 0.64, 0.7, 1), (0.72, 0.54, 0.56, 1), (0.54, 0.66, 0.5, 1))
 FOVY = 40.0
 """Vertical angle of the watcher's camera [degrees]."""
-STEEP = np.radians(62)
+STEEP = np.radians(66)
 """How far the camera's axis is turned down from level [rad]."""
-SHAPE, MARGIN = 4 / 3, 1.08
+SHAPE, MARGIN = 4 / 3, 1.16
 """Width of the picture over its height, and the home's room in it over its size."""
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
@@ -110,8 +110,9 @@ class HomeModel:
         right = np.cross((0.0, 0.0, 1.0), back)
         up = np.array((0.0, 0.0, np.cos(STEEP))) - back * np.sin(STEEP)
         place = np.array((*MIDDLE, np.sin(STEEP) * away)) + back * np.cos(STEEP) * away
-        camera = spec.worldbody.add_camera(name="watcher", pos=place, fovy=FOVY)
-        camera.alt.xyaxes = np.concatenate((right, up))
+        turn = np.empty(4)
+        mujoco.mju_mat2Quat(turn, np.column_stack((right, up, np.cross(right, up))).ravel())
+        spec.worldbody.add_camera(name="watcher", pos=place, quat=turn, fovy=FOVY)
 
     def _add_movables(self, spec: mujoco.MjSpec) -> None:
         for node in self.movable:

@@ -16,17 +16,17 @@ ENDS = {
     "warm_the_bread_in_the_stove": {"heated(bread)", "in(bread, stove)"},
     "sit_on_the_bed_with_the_notebook": {"sitting(character)", "held(notebook)"},
     "air_the_bedroom_and_switch_on_the_floorlamp": {"open(window)", "switched_on(floorlamp)"},
-    "throw_away_the_broken_razor": {"in(razor, garbagecan)", "closed(garbagecan)"},
+    "throw_away_the_broken_pen": {"in(pen, garbagecan)", "closed(garbagecan)"},
     "stand_the_alarmclock_on_the_bookshelf": {"on(alarmclock, bookshelf)"},
     "clean_the_cookingpot": {"washed(cookingpot)", "in(washingsponge, sink)"},
-    "melt_the_butter_in_the_microwave": {"heated(butter)", "held(butter)", "closed(microwave)"},
-    "play_a_game_on_the_computer_in_the_armchair": {
+    "steam_the_carrot_in_the_microwave": {"heated(carrot)", "held(carrot)", "closed(microwave)"},
+    "play_a_game_on_the_computer_in_the_chair": {
         "switched_on(computer)",
         "sitting(character)",
     },
     "use_the_cellphone_as_a_light": {"held(cellphone)", "switched_on(cellphone)"},
     "look_something_up_in_the_folder_by_the_window": {"held(folder)", "open(folder)"},
-    "make_the_bedroom_dark": {"switched_off(lightswitch)", "closed(curtains)"},
+    "make_the_livingroom_bright": {"switched_on(lightswitch)", "open(curtains)"},
     "store_the_shampoo_and_the_barsoap_in_the_bathroomcabinet": {
         "in(shampoo, bathroomcabinet)",
         "in(barsoap, bathroomcabinet)",
@@ -38,9 +38,9 @@ ENDS = {
         "on(yogurt, kitchencounter)",
         "closed(fridge)",
     },
-    "switch_off_the_stove": {"switched_off(stove)"},
+    "switch_off_the_lamp_on_the_ceiling": {"switched_off(ceilinglamp)"},
     "open_the_nightstand": {"open(nightstand)"},
-    "eat_the_yogurt_in_the_armchair": {"held(yogurt)", "sitting(character)"},
+    "nibble_the_apple_in_the_bed": {"held(apple)", "sitting(character)"},
 }
 
 

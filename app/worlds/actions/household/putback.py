@@ -10,7 +10,10 @@ class PutBack:
 
     signature = ActionSignature(
         name="putback",
-        parameters=(Parameter(name="obj1", affordance="grabbable"), Parameter(name="obj2", role="support")),
+        parameters=(
+            Parameter(name="obj1", affordance="grabbable"),
+            Parameter(name="obj2", role="support"),
+        ),
         meaning="Put obj1, held in a hand, onto obj2.",
     )
 

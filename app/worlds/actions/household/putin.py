@@ -10,7 +10,10 @@ class PutIn:
 
     signature = ActionSignature(
         name="putin",
-        parameters=(Parameter(name="obj1", affordance="grabbable"), Parameter(name="obj2", role="container")),
+        parameters=(
+            Parameter(name="obj1", affordance="grabbable"),
+            Parameter(name="obj2", role="container"),
+        ),
         meaning="Put obj1, held in a hand, into obj2.",
     )
 
