@@ -48,6 +48,7 @@ export class Banner {
       status,
       under && h("div", { class: "progress", role: "progressbar", "aria-label": WORDS[state] }),
       this.why(plan, execution),
+      state === "awaiting_approval" && h("p", { class: "why" }, "Nothing has been moved. Read the program; it is carried out when you approve it."),
       this.buttons(plan, execution, state),
     ].filter(Boolean));
     if (under) this.timer = setInterval(() => this.tick(), 200);

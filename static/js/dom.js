@@ -15,6 +15,13 @@ export function h(tag, attributes = {}, ...children) {
 
 export const byId = (id) => document.getElementById(id);
 
+/** Ctrl+Enter, or Cmd+Enter, wherever one is, sends the form that is on the page. */
+export function submitOnCtrlEnter(form) {
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && form.checkVisibility()) form.requestSubmit();
+  });
+}
+
 /** "3.2 s", "1:05 min" */
 export function seconds(value) {
   if (value === null || value === undefined) return "–";

@@ -30,7 +30,7 @@ function words(event) {
     case "action_performed":
       return ["good", event.attempts > 1 ? `Done at attempt ${event.attempts}` : "Done"];
     case "action_failed":
-      return ["bad", `Failed at “${event.stage}”`, event.reason];
+      return ["bad", `Failed at “${event.stage}”`, event.reason + aim(event.pose)];
     case "call_skipped":
       return ["warn", `Skipped ${event.text}`, event.reason];
     case "assertion_checked":
@@ -50,6 +50,9 @@ function words(event) {
   }
 }
 
+/** Where the gripper should have gone, in the robot's frame. */
+const aim = (pose) => (pose ? `; gripper meant for ${pose.position.map((value) => value.toFixed(2)).join(", ")} m` : "");
+
 const count = (number, noun) => `${number} ${noun}${number === 1 ? "" : "s"}`;
 
 export class EventList {
@@ -68,6 +71,9 @@ export class EventList {
   }
 
   add(event) {
+    // In a household an action is its only stage.
+    if (event.kind === "stage_reached" && event.stage === this.action && event.attempt <= 1) return;
+    if (event.kind === "action_started") this.action = event.action;
     const told = words(event);
     if (!told) return;
     if (!this.list) {

@@ -1,7 +1,7 @@
 // The request: what is asked for, from the form to POST /plans, and errors at their fields.
 
 import { post } from "./api.js";
-import { byId, h } from "./dom.js";
+import { byId, h, submitOnCtrlEnter } from "./dom.js";
 import { Faults } from "./faults.js";
 import { recall, remember } from "./memory.js";
 import { SceneEditor } from "./scene.js";
@@ -24,9 +24,7 @@ export class RequestForm {
     }
     this.form.addEventListener("submit", (event) => this.submit(event));
     this.form.addEventListener("change", (event) => event.target.name === "way" && this.showWay());
-    document.addEventListener("keydown", (event) => {
-      if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) this.form.requestSubmit();
-    });
+    submitOnCtrlEnter(this.form);
     byId("copy-curl").addEventListener("click", () => this.copyCurl());
     this.form.elements.way.value = recall("way", "instruction");
     this.showWay();

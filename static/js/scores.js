@@ -54,4 +54,8 @@ export class ScoreBoard {
   }
 }
 
-const number = (value) => (Number.isInteger(value) ? String(value) : value.toFixed(2));
+/** Two digits, or as many as it takes not to look like 1 where it is less. */
+function number(value) {
+  if (Number.isInteger(value)) return String(value);
+  return value < 1 && value >= 0.995 ? String(Math.min(0.9999, Math.floor(value * 10000) / 10000)) : value.toFixed(2);
+}

@@ -121,7 +121,7 @@ def test_what_was_typed_survives_a_reload(open_page):
     page.keyboard.type("driver's cup")
     page.get_by_label("What should the robot do?").fill("bring the cup")
     page.locator("#settings-part summary").click()
-    page.get_by_label("Seed").fill("7")
+    page.locator("#setting-seed").fill("7")
     page.reload()
     expect(page.locator("#object-list input").last).to_have_value("driver's cup")
     expect(page.get_by_label("What should the robot do?")).to_have_value("bring the cup")
@@ -172,7 +172,7 @@ def test_nothing_is_wider_than_a_small_phone(open_page, finished):
         page = open_page(path, viewport={"width": 360, "height": 740})
         if path != "/":
             expect(page.locator('[data-score="sr"] dd')).to_have_text("1")
-        for part in page.locator("summary").all():
+        for part in page.locator("#desk summary").all():
             part.click()
         assert page.evaluate("document.documentElement.scrollWidth") == 360
         wider = """[...document.querySelectorAll("main *")].filter(
