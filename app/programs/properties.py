@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from app.domain.condition import AnyOf, Condition, Count, Not, Property, Relation
 from app.domain.program import Described, PropertyValue
 from app.domain.scene import Scene, SceneObject
-from app.programs.colours import colour_word
+from app.programs.knowledge.properties import colour_word
 from app.programs.predicates import NAME
 
 SPELLINGS = {"color": "colour", "type": "category", "class": "category"}
