@@ -28,6 +28,13 @@ QUICK = {"examples": 3000, "minutes": 28.0, "per_kind": 3}
 @click.option(
     "--first-layer", default=4, show_default=True, help="Adapt this layer and those above."
 )
+@click.option("--rate", default=6e-4, show_default=True, help="Of learning, at its height.")
+@click.option(
+    "--start",
+    type=click.Path(path_type=Path, exists=True, dir_okay=False),
+    default=None,
+    help="Go on from this adapter (.gguf) of the same base and layers, at a lower --rate.",
+)
 @click.option("--per-kind", default=10, show_default=True, help="Held-out sentences of each kind.")
 @click.option(
     "--data",

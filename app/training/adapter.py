@@ -64,6 +64,18 @@ def write_adapter(
     writer.close()
 
 
+def read_adapter(path: Path) -> dict[str, np.ndarray]:
+    """What ``write_adapter`` wrote: ``<layer>.<projection>.a`` (r, in) and ``.b`` (out, r) [fp32]."""
+    projections = {name: projection for projection, name in TENSORS.items()}
+    found: dict[str, np.ndarray] = {}
+    for tensor in gguf.GGUFReader(path).tensors:
+        _, layer, name, _, part = tensor.name.split(".")
+        found[f"{layer}.{projections[name]}.{part.removeprefix('lora_')}"] = np.array(
+            tensor.data, np.float32
+        )
+    return found
+
+
 def sha256(path: Path) -> str:
     """The file's checksum, in hexadecimal."""
     digest = hashlib.sha256()

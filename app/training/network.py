@@ -1,7 +1,7 @@
 """The base model in torch, made from its GGUF file, with low-rank adapters on its upper layers."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -128,6 +128,12 @@ class Network:
             for name, adapter in self.adapters.items()
             for part in ("a", "b")
         }
+
+    def load(self, arrays: Mapping[str, np.ndarray]) -> None:
+        """Take the adapters' weights from what ``arrays`` gives."""
+        for name, adapter in self.adapters.items():
+            adapter.a.data.copy_(torch.from_numpy(arrays[f"{name}.a"]))
+            adapter.b.data.copy_(torch.from_numpy(arrays[f"{name}.b"]))
 
 
 def _unpacked(base: Path) -> Path:

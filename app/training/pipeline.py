@@ -14,7 +14,7 @@ from app.llm.backends.local import LocalModel
 from app.llm.models import open_model
 from app.planners import planners
 from app.training import evaluation, suites
-from app.training.adapter import Card, sha256, write_adapter
+from app.training.adapter import Card, read_adapter, sha256, write_adapter
 from app.training.network import LoraShape, Network
 from app.training.training import Progress, Schedule, train
 
@@ -38,6 +38,10 @@ class Recipe:
     device: str = "cpu"
     seed: int = 1
     first_layer: int = 4
+    rate: float = 6e-4
+    """Of learning, at its height."""
+    start: Path | None = None
+    """An adapter of the same base and layers to go on from."""
     per_kind: int = 10
     suite: tuple[Path, ...] = ()
     data: Path | None = None
@@ -72,8 +76,14 @@ def make_adapter(recipe: Recipe, say: Say) -> Progress:
     """Train from the last checkpoint, or from nothing, and convert."""
     shape = LoraShape(first_layer=recipe.first_layer)
     network = Network(recipe.base, shape, recipe.threads, recipe.device)
+    if recipe.start is not None:
+        network.load(read_adapter(recipe.start))
     schedule = Schedule(
-        examples=recipe.examples, minutes=recipe.minutes, seed=recipe.seed, data=recipe.data
+        examples=recipe.examples,
+        minutes=recipe.minutes,
+        rate=recipe.rate,
+        seed=recipe.seed,
+        data=recipe.data,
     )
     progress = train(network, schedule, recipe.out / "checkpoint.npz", say)
     write_adapter(network.arrays(), shape.alpha, recipe.base, recipe.adapter, recipe.name)
@@ -121,7 +131,14 @@ def write_card(recipe: Recipe, facts: dict[str, object], measured: Mapping[str, 
         base=recipe.base.name,
         base_sha256=sha256(recipe.base),
         adapter_sha256=sha256(recipe.adapter),
-        training={"seed": recipe.seed, "first_layer": recipe.first_layer, "rank": 16, **facts},
+        training={
+            "seed": recipe.seed,
+            "first_layer": recipe.first_layer,
+            "rank": 16,
+            "rate": recipe.rate,
+            "started_from": sha256(recipe.start) if recipe.start else None,
+            **facts,
+        },
         figures=dict(measured),
     )
     card.write(recipe.adapter.with_suffix(".json"))

@@ -32,6 +32,7 @@ class Schedule:
     batch: int = 8
     """Examples to a step."""
     rate: float = 6e-4
+    """Of learning, at its height."""
     seed: int = 1
     save_every: float = 90.0
     """Between checkpoints [s]."""
@@ -139,9 +140,7 @@ def _restore(network: Network, optimizer: torch.optim.AdamW, path: Path) -> Prog
     if not path.exists():
         return progress
     with np.load(path) as stored:
-        for name, adapter in network.adapters.items():
-            adapter.a.data.copy_(torch.from_numpy(stored[f"{name}.a"]))
-            adapter.b.data.copy_(torch.from_numpy(stored[f"{name}.b"]))
+        network.load(stored)
         state = optimizer.state_dict()
         state["state"] = dict(_moments(stored, len(network.parameters())))
         optimizer.load_state_dict(state)
