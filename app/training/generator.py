@@ -17,6 +17,7 @@ from app.programs.sketch import Decline, SketchCall
 from app.programs.sketch_parser import parse_sketch, print_sketch
 from app.programs.sketch_prompt import write_sketch_prompt
 from app.training.acting import Actor, around
+from app.training.chaining import chain, quoted
 from app.training.composing import Composer, Step, read_steps
 from app.training.foreign import foreign
 from app.training.noise import dress, misspell, typed
@@ -44,12 +45,16 @@ WEIGHTS = {
     "stack": 10,
     "verb": 11,
     "verbs": 4,
+    "chain": 9,
+    "quoted": 2,
     "around": 3,
     "foreign": 12,
     "impossible": 6,
     "dialogue": 4,
 }
 """How often each kind of sentence is made."""
+VERBAL = ("verb", "verbs", "chain", "quoted")
+"""Kinds that are about a robot's other verbs, not about putting."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,14 +118,14 @@ def make_example(rng: Random, split: Split, data: Path | None = None) -> Example
 
 
 def _robot(words: Words, kind: str) -> Robot:
-    if kind in ("verb", "verbs") and words.chance(0.45):
+    if kind in VERBAL and words.chance(0.45):
         robot = Robot(words.rng)
         distract(words, robot, words.rng.choice((0, 0, 1, 2, 3)))
         return robot
-    if words.chance(0.3 if kind in ("verb", "verbs", "around", "stack") else 0.08):
+    if words.chance(0.3 if kind in (*VERBAL, "around", "stack") else 0.08):
         return ready_made(words)
     draw = words.rng.random()
-    if draw < (0.72 if kind not in ("verb", "verbs", "around") else 0.3):
+    if draw < (0.72 if kind not in (*VERBAL, "around") else 0.3):
         robot = usual(words)
         if words.chance(0.14):
             distract(words, robot, words.rng.choice((1, 2, 4, 8)))
@@ -198,6 +203,14 @@ def _verbs(composer: Composer, robot: Robot) -> Draft:
     return Draft(_join(composer, first, second), [*steps, *more])
 
 
+def _chain(composer: Composer, robot: Robot) -> Draft:
+    return Draft(*chain(Actor(composer, robot)))
+
+
+def _quoted(composer: Composer, robot: Robot) -> Draft:
+    return Draft(*quoted(Actor(composer, robot)))
+
+
 def _around(composer: Composer, robot: Robot) -> Draft:
     return Draft(*around(Actor(composer, robot)))
 
@@ -271,6 +284,8 @@ MAKERS: dict[str, Callable[[Composer, Robot], Draft]] = {
     "stack": _stack,
     "verb": _verb,
     "verbs": _verbs,
+    "chain": _chain,
+    "quoted": _quoted,
     "around": _around,
     "foreign": _foreign,
     "impossible": _impossible,
