@@ -9,6 +9,7 @@ from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import ActionCall, Argument, Comment, Statement
 from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
+from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import (
     Decline,
     Each,
@@ -223,8 +224,8 @@ class Composer:
         """One call for each member of the set at place ``which``."""
         fixed = self._fixed(call, signature, which)
         spread = next((each for each in call.arguments if _spread(each)), None)
-        targets = self._targets(spread)
         argument = call.arguments[which]
+        targets = self._targets(spread, argument)
         if isinstance(argument, Phrase) and spread is None:
             argument = counted(argument, self._selection.sentence)
         if isinstance(spread, Each) and isinstance(argument, Phrase) and argument.count:
@@ -233,9 +234,12 @@ class Composer:
         members = self._members(argument, avoid, fixed)
         pairs = self._pairs(members, spread, targets)
         lines: list[Statement] = []
-        for member, target in pairs:
+        place = next(iter(fixed), None) if self._piled(argument, fixed, spread) else None
+        for number, (member, target) in enumerate(pairs):
             values = dict(fixed)
             values[which] = member.name
+            if place is not None and number:
+                values[place] = pairs[number - 1][0].name
             for i, each in enumerate(call.arguments):
                 if _spread(each) and target is not None:
                     values[i] = target.name
@@ -250,6 +254,14 @@ class Composer:
         self._take(member.name for member, _ in pairs)
         moving = [line for line in lines if line not in resting]
         return [self._comment(call.arguments[which], members), *moving] if moving else []
+
+    def _piled(
+        self, argument: SketchArgument, fixed: dict[int, Argument], spread: SketchArgument | None
+    ) -> bool:
+        """Whether only the first goes onto the place, and each other onto the one before it."""
+        ordered = isinstance(argument, Phrase) and argument.order is not None
+        said = set(words(self._selection.sentence))
+        return ordered and spread is None and len(fixed) == 1 and bool(said & PILING)
 
     def _rests(self, call: ActionCall) -> bool:
         """Whether the first object is in or on the second already."""
@@ -274,10 +286,23 @@ class Composer:
             found[i] = value
         return found
 
-    def _targets(self, spread: SketchArgument | None) -> tuple[Thing, ...]:
+    def _targets(
+        self, spread: SketchArgument | None, argument: SketchArgument
+    ) -> tuple[Thing, ...]:
         if not isinstance(spread, Same | Each):
             return ()
+        if isinstance(argument, Phrase) and spread.text == argument.text:
+            return self._others(argument)
         return self._selection.all(Phrase(text=spread.text, quantity="all")).things
+
+    def _others(self, argument: Phrase) -> tuple[Thing, ...]:
+        """What the sentence speaks of besides the members, where the sketch repeats their words."""
+        members = {thing.name for thing in self._selection.all(argument).things}
+        for word in words(self._selection.sentence):
+            phrase = Phrase(text=word, quantity="all")
+            if self._selection.possible(phrase, members):
+                return self._selection.all(phrase, members).things
+        raise self._selection.absent(f"other place than {argument.text}")
 
     def _members(
         self,
@@ -417,4 +442,5 @@ def _refuse_beside(call: SketchCall, sentence: str) -> None:
                 )
 
 
+PILING = word_list("piling")
 BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")

@@ -271,6 +271,9 @@ class Selection:
         if not excluded.vague:
             names = [t.name for t, _ in self._fitting(phrase, ()) if _ >= SETS]
             out = set(names) or out
+        if not out & {thing.name for thing, _ in kept}:
+            said = {normal(each) for each in excluded.core}
+            out = {t.name for t, _ in kept if said and said <= {normal(w) for w in t.words}}
         return [(thing, score) for thing, score in kept if thing.name not in out]
 
     def _related(self, kept: Fits, key: str, other: str) -> Fits:

@@ -177,6 +177,8 @@ def head_first(name: str) -> tuple[str, ...]:
     for link in ("of", "with", "for", "from", "in", "on", "full", "without"):
         if link in found[1:-1]:
             place = found.index(link, 1)
+            if link == "full" and found[place + 1] != "of":
+                continue
             before = found[:place]
             portion = link == "of" and singular(before[-1]) in PORTIONS
             found = found[place + 1 :] if portion else before
