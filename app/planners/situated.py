@@ -8,6 +8,7 @@ from app.domain.planner import Draft, Report, Task
 from app.domain.program import Program, Statement
 from app.llm.embeddings import sentence_embedder
 from app.planners import planners
+from app.programs.knowledge.uses import uses
 from app.programs.printer import print_program
 from app.programs.sketch_dialogue import asks_to_undo, calls_of, undo
 from app.programs.sketch_grammar import sketch_grammar
@@ -57,16 +58,18 @@ class Situated:
 
 
 def _likeness(text: str, names: Sequence[str]) -> Sequence[float]:
-    """How like each name is to the words in meaning; not at all where the weights are absent.
+    """How like each name, or what its thing is for, is to the words; 0 where the weights are absent.
 
     They come with the model (``progprompt models fetch``): nobody waits for them in mid-plan.
     """
     embedder = sentence_embedder(fetch=False)
+    told = [(name, *uses(name)) for name in names]
     try:
-        (words,), embedded = embedder.embed([text]), embedder.embed(names)
+        (words,) = embedder.embed([text])
+        embedded = [embedder.embed(phrases) for phrases in told]
     except ModelUnavailable:
         return [0.0] * len(names)
-    return [float(each) for each in embedded @ words]
+    return [float((each @ words).max()) for each in embedded]
 
 
 def _request(task: Task, model: LanguageModel, prompt: str, sentence: str) -> CompletionRequest:

@@ -257,9 +257,10 @@ class Composer:
         ):
             found = self.nouns.kind()
             text = self.words.choose(bank[kind]).format(many=found.many, one=found.one)
-            order = "" if kind == "any_order" else f", order={literal(kind.replace('_', ' '))}"
-            argument = f"all({literal(found.many)}{order})"
-            return text, [Step(STACK, {"x": argument, "y": "previous"}, on=True)], True
+            taken = "" if kind == "any_order" else f", order={literal(kind.replace('_', ' '))}"
+            argument = f"all({literal(found.many)}{taken})"
+            order = text.split()[0] in ORDERS
+            return text, [Step(STACK, {"x": argument, "y": "previous"}, on=True)], order
         count = {"two": 2, "on_holder": 2, "four_up": 4, "four_down": 4}.get(kind, 3)
         pieces = self._pieces(count)
         slots = dict(zip("abcd", pieces, strict=False))
@@ -304,6 +305,8 @@ class Composer:
         return [one(f"{article}{mark}", f"{mark} one") for mark in marks]
 
 
+ORDERS = frozenset(("stack", "build", "make", "pile", "put", "place", "set", "arrange", "use"))
+"""First words of a sentence that is an order."""
 SAME_SENTENCES = (
     "sort the {many} by {p} into the {holders}",
     "sort the {many} into the {holders} by {p}",

@@ -34,6 +34,7 @@ from app.training.robots import (
     with_put,
 )
 from app.training.said import Said, fill
+from app.training.sentences import sentences
 from app.training.words import Split, Words
 
 TYPOS = 0.09
@@ -51,6 +52,7 @@ WEIGHTS = {
     "foreign": 12,
     "impossible": 6,
     "dialogue": 4,
+    "sentence": 14,
 }
 """How often each kind of sentence is made."""
 VERBAL = ("verb", "verbs", "chain", "quoted")
@@ -277,6 +279,16 @@ def _dialogue(composer: Composer, robot: Robot) -> Draft:
     return Draft(fill(said, slots), read_steps(line, slots), order=False, history=history)
 
 
+def _whole(composer: Composer, _robot: Robot) -> Draft:
+    found = composer.words.choose(sentences())
+    if composer.words.chance(0.6):
+        found = found.about(composer.nouns.noun)
+    text = found.text
+    if composer.words.chance(0.3):
+        text = text.lower().rstrip(".!")
+    return Draft(text, list(found.steps), plain=True)
+
+
 MAKERS: dict[str, Callable[[Composer, Robot], Draft]] = {
     "put": _put,
     "construction": _construction,
@@ -290,6 +302,7 @@ MAKERS: dict[str, Callable[[Composer, Robot], Draft]] = {
     "foreign": _foreign,
     "impossible": _impossible,
     "dialogue": _dialogue,
+    "sentence": _whole,
 }
 
 

@@ -1,6 +1,8 @@
 """Noun phrases: things, sets of things, places for them, in many ways of naming them."""
 
 from app.domain.program import literal
+from app.programs.knowledge.uses import phrases
+from app.training.describing import described
 from app.training.said import Said, one, tidy
 from app.training.words import ThingClass, Words, article, plural
 
@@ -61,7 +63,7 @@ class Nouns:
             return self.related()
         if draw < 0.12:
             return self.superlative()
-        if draw < 0.16:
+        if draw < 0.18:
             return self.indirect()
         return self._named(self.noun())
 
@@ -126,7 +128,10 @@ class Nouns:
 
     def indirect(self) -> Said:
         """``something to write with``, ``the thing that tells the time``."""
-        if self.words.chance(0.5):
+        draw = self.rng.random()
+        if draw < 0.5:
+            return one(*described(self.rng, self.words.choose(phrases())))
+        if draw < 0.75:
             task = self.words.say("speech", "tasks")
             head = self.rng.choice(
                 ("something", "something", "a thing", "the thing", "an object", "one thing")

@@ -1,0 +1,88 @@
+"""Whole sentences with their sketches, read from ``static/training/sentences.txt``.
+
+They say what no template reaches: asides, corrections, fragments, things told by what they are for.
+A line reads ``sentence => PUT('x', 'y'); STACK('z', 'x')``; ``#`` begins a remark.
+"""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
+
+from app.domain.program import literal
+from app.training.composing import Step
+from app.training.words import FOLDER, plural
+
+FILE = FOLDER / "sentences.txt"
+_PHRASE = re.compile(r"(?<!where=)(?<!order=)'([^']+)'")
+_CALL = re.compile(r"(PUT|STACK)\((.*)\)")
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """One line."""
+
+    text: str
+    steps: tuple[Step, ...]
+
+    def about(self, name: Callable[[], str]) -> "Sentence":
+        """The same of other things, or as it is where it speaks of them in other words."""
+        phrases = dict.fromkeys(
+            each for step in self.steps for each in _PHRASE.findall("".join(step.given.values()))
+        )
+        if not all(_stands(each, self.text) for each in phrases):
+            return self
+        others = {each: plural(name()) if each.endswith("s") else name() for each in phrases}
+
+        def put(match: re.Match[str]) -> str:
+            return others[match[0].lower()]
+
+        longest = sorted(map(re.escape, others), key=len, reverse=True)
+        text = re.sub(rf"\b(?:{'|'.join(longest)})\b", put, self.text, flags=re.I)
+        steps = tuple(
+            replace(
+                step,
+                given={
+                    role: _PHRASE.sub(lambda found: literal(others[found[1]]), said)
+                    for role, said in step.given.items()
+                },
+            )
+            for step in self.steps
+        )
+        return Sentence(text, steps)
+
+
+def _stands(phrase: str, text: str) -> bool:
+    return len(re.findall(rf"\b{re.escape(phrase)}\b", text, re.I)) > 0 and len(phrase.split()) < 4
+
+
+@cache
+def sentences() -> tuple[Sentence, ...]:
+    """All of them, in the file's order."""
+    lines = FILE.read_text(encoding="utf-8").splitlines()
+    return tuple(map(_sentence, (line for line in lines if line and not line.startswith("#"))))
+
+
+def _sentence(line: str) -> Sentence:
+    text, _, sketch = line.rpartition(" => ")
+    return Sentence(text, tuple(_step(call.strip()) for call in sketch.split("; ")))
+
+
+def _step(call: str) -> Step:
+    match = _CALL.fullmatch(call)
+    if match is None:
+        raise ValueError(f"a step reads PUT('x', 'y') or STACK('x', 'y'), not {call!r}")
+    thing, place = _arguments(match[2])
+    return Step(match[1], {"x": thing, "y": place}, on=match[1] == "STACK")
+
+
+def _arguments(inner: str) -> tuple[str, str]:
+    """The two arguments, apart at the comma that is in no bracket and no quotes."""
+    depth, quoted = 0, False
+    for place, letter in enumerate(inner):
+        quoted ^= letter == "'" and inner[place - 1 : place] != "\\"
+        if not quoted:
+            depth += (letter in "([") - (letter in ")]")
+        if letter == "," and not depth and not quoted:
+            return inner[:place], inner[place + 2 :]
+    raise ValueError(f"two arguments are wanted, not {inner!r}")
