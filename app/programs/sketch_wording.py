@@ -58,6 +58,7 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
     text = re.sub(
         rf"\b((?!the\b|a\b|in\b|on\b|and\b|all\b)[a-z]+) ({_ADJECTIVES})\b", r"\2 \1", text
     )
+    text = re.sub(r"\b(please)(?: of)? (?:please|the please)\b", r"\1", text)
     return re.sub(r"\s+([,.!?])", r"\1", re.sub(r"\b(the|a) (the|a)\b", r"\1", text))
 
 
@@ -67,9 +68,12 @@ _ADJECTIVES = "red|blue|green|yellow|black|white|brown|grey|pink|purple|big|smal
 def _longest(parts: Sequence[str], place: int, known: set[str]) -> tuple[int, str]:
     """How many words from here on are one English word, and that word."""
     for length in (3, 2, 1):
-        text = " ".join(parts[place : place + length])
-        if length > 1 and len(parts) - place >= length and (noun := translated(plain(text))):
-            return length, noun
+        text = plain(" ".join(parts[place : place + length]))
+        if length > 1 and len(parts) - place >= length:
+            if text in _small_words():
+                return length, _small_words()[text]
+            if noun := translated(text):
+                return length, noun
     word = plain(parts[place])
     if word in _small_words():
         return 1, _small_words()[word]
