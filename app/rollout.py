@@ -57,7 +57,7 @@ def plan_task(
     draft = planner.write_program(replace(task, rehearsal=rehearsal), model, report)
     text = draft.program
     program, plan = understand(text, task.scene, world)
-    if task.options.repair:
+    if planner.repairs if task.options.repair is None else task.options.repair:
         mended = repair(
             program,
             task.scene,

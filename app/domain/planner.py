@@ -34,8 +34,9 @@ class PlannerOptions:
     """How the example programs are chosen."""
     state_check: Literal["world", "model", "both"] = "world"
     """Who decides assertions: the world's relations, the paper's state-check prompt, or both."""
-    repair: bool = False
-    """Insert what an action's missing precondition calls for, by the perfect executor."""
+    repair: bool | None = None
+    """Insert what an action's missing precondition calls for, by the perfect executor; None for as
+    the planner has it."""
     max_replans: int = 0
 
 
@@ -89,6 +90,8 @@ class Planner(Protocol):
 
     model: str
     """Name of the model it does best with; what ``default`` stands for."""
+    repairs: bool
+    """Whether its programs are repaired where nobody says whether they should be."""
 
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Ask the model for the program of this task.

@@ -26,6 +26,7 @@ class LangPrompt:
     """Asks once for all steps."""
 
     model = "qwen2.5-coder-1.5b"
+    repairs = False
 
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Ask the model for the steps, and find the action of each.

@@ -29,6 +29,7 @@ class Oracle:
     """Asks no model."""
 
     model = "scripted"
+    repairs = False
 
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Look the program up.

@@ -40,6 +40,7 @@ class ProgPrompt:
     """Asks for the whole function at once, as the paper does."""
 
     model = "qwen2.5-coder-1.5b"
+    repairs = False
 
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Ask the model for the program of this task.

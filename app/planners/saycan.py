@@ -28,6 +28,7 @@ class SayCan:
     """Never asks for text: the next step is the likeliest of those that can be done."""
 
     model = "qwen2.5-coder-1.5b"
+    repairs = False
 
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Have the model score one step after the other.

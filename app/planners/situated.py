@@ -1,14 +1,11 @@
 """Sentence → sketch → program: the model reads the sentence, knowledge finds what it means here."""
 
-from collections.abc import Sequence
-
-from app.domain.errors import ModelUnavailable, ProgramRefused, TaskDeclined
-from app.domain.llm import Completion, CompletionRequest, LanguageModel
+from app.domain.errors import ProgramRefused, TaskDeclined
+from app.domain.llm import Completion, LanguageModel
 from app.domain.planner import Draft, Report, Task
 from app.domain.program import Program, Statement
-from app.llm.embeddings import sentence_embedder
+from app.llm.meaning import likeness
 from app.planners import planners
-from app.programs.knowledge.uses import uses
 from app.programs.printer import print_program
 from app.programs.sketch_dialogue import asks_to_undo, calls_of, undo
 from app.programs.sketch_grammar import sketch_grammar
@@ -17,9 +14,7 @@ from app.programs.sketch_prompt import STOP, write_sketch_prompt
 from app.programs.sketch_resolver import resolve
 from app.programs.sketch_verbs import spoken_verbs
 from app.programs.sketch_wording import plain_english
-from app.programs.transcript import Transcript
-
-MAX_TOKENS = 300
+from app.programs.transcript import Transcript, sketch_request
 
 
 @planners.register("situated")
@@ -30,6 +25,7 @@ class Situated:
     """
 
     model = "situated"
+    repairs = False
 
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Ask the model for a sketch and resolve it.
@@ -44,10 +40,11 @@ class Situated:
         transcript = Transcript(task.options.name, model, prompt, report)
         if task.history and (said := asks_to_undo(task.instruction.text)):
             return _draft(task, undo(task, said["what"]), 1.0, transcript.completion(), prompt)
-        completion = transcript.ask(_request(task, model, prompt, sentence))
+        grammar = _grammar(task, sentence)
+        completion = transcript.ask(sketch_request(task.options, model, prompt, STOP, grammar))
         transcript.wrote(completion.text)
         try:
-            body, sureness = resolve(parse_sketch(completion.text), task, _likeness)
+            body, sureness = resolve(parse_sketch(completion.text), task, likeness)
         except ProgramRefused as refused:
             reason = f"what the model {model.name} wrote is no sketch: {refused}"
             raise transcript.failure(reason) from refused
@@ -55,34 +52,6 @@ class Situated:
             declined.prompt, declined.completion = prompt, completion
             raise
         return _draft(task, body, sureness, completion, prompt)
-
-
-def _likeness(text: str, names: Sequence[str]) -> Sequence[float]:
-    """How like each name, or what its thing is for, is to the words; 0 where the weights are absent.
-
-    They come with the model (``progprompt models fetch``): nobody waits for them in mid-plan.
-    """
-    embedder = sentence_embedder(fetch=False)
-    told = [(name, *uses(name)) for name in names]
-    try:
-        (words,) = embedder.embed([text])
-        embedded = [embedder.embed(phrases) for phrases in told]
-    except ModelUnavailable:
-        return [0.0] * len(names)
-    return [float((each @ words).max()) for each in embedded]
-
-
-def _request(task: Task, model: LanguageModel, prompt: str, sentence: str) -> CompletionRequest:
-    options = task.options
-    constrained = options.constrained and model.follows_grammar
-    return CompletionRequest(
-        prompt=prompt,
-        max_tokens=min(options.max_tokens, MAX_TOKENS),
-        stop=(STOP,),
-        temperature=options.temperature,
-        seed=options.seed,
-        grammar=_grammar(task, sentence) if constrained else None,
-    )
 
 
 def _grammar(task: Task, sentence: str) -> str:

@@ -46,6 +46,7 @@ class ZeroShot:
     """Knows no objects but those that actions can take."""
 
     model = "qwen2.5-coder-1.5b"
+    repairs = False
 
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Ask the model for one step after the other.

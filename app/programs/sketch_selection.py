@@ -9,6 +9,7 @@ from app.domain.errors import TaskDeclined
 from app.programs.knowledge.classes import VAGUE, belonging, classes, normal
 from app.programs.knowledge.languages import in_english
 from app.programs.knowledge.names import is_mark, plain, words
+from app.programs.knowledge.uses import uses
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import Phrase
 from app.programs.sketch_matching import (
@@ -35,8 +36,9 @@ from app.programs.sketch_qualities import (
 )
 from app.programs.sketch_things import LIKELY, UNKNOWN, Thing, listed
 
-Judge = Callable[[str, Sequence[str]], Sequence[float]]
-"""For words that no knowledge at hand covers: how like each name is to them, up to 1."""
+Judge = Callable[[str, Sequence[Sequence[str]]], Sequence[float]]
+"""For words that no knowledge at hand covers: how like each thing is to them, up to 1; a thing is
+told by its name and by what it is for."""
 ALIKE, ALIKE_MARGIN = 0.45, 0.05
 """Likeness of meaning, a cosine, from which words are taken to mean a thing."""
 PRONOUNS = word_list("pronouns")
@@ -232,7 +234,7 @@ class Selection:
         open_ = set(described.whole) & VAGUE or all(map(misspelt, described.core))
         if self._judge is None or not free or not described.core or not open_:
             return []
-        scores = self._judge(described.text, [thing.name for thing in free])
+        scores = self._judge(described.text, [(t.name, *uses(t.name)) for t in free])
         best = max(scores)
         return [
             (thing, COUNTS)

@@ -4,9 +4,11 @@ import time
 
 from app.domain.errors import Cancelled, CompletionFailed
 from app.domain.llm import Completion, CompletionRequest, LanguageModel
-from app.domain.planner import Report
+from app.domain.planner import PlannerOptions, Report
 from app.domain.trace import CompletionGrew, PlanningStarted, PromptWritten
 
+MAX_SKETCH = 300
+"""Tokens."""
 LOOK_EVERY = 0.2
 """How often is asked whether to stop, while nothing is there to be told [s]."""
 
@@ -63,3 +65,17 @@ class Transcript:
     def _tell(self, event: PlanningStarted | PromptWritten | CompletionGrew) -> None:
         if self._report(event):
             raise Cancelled("planning was cancelled")
+
+
+def sketch_request(
+    options: PlannerOptions, model: LanguageModel, prompt: str, stop: str, grammar: str
+) -> CompletionRequest:
+    """What a model is asked for a sketch with, under the grammar where it can follow one."""
+    return CompletionRequest(
+        prompt=prompt,
+        max_tokens=min(options.max_tokens, MAX_SKETCH),
+        stop=(stop,),
+        temperature=options.temperature,
+        seed=options.seed,
+        grammar=grammar if options.constrained and model.follows_grammar else None,
+    )

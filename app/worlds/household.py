@@ -48,7 +48,7 @@ class Household:
     relations = RELATIONS
     moves = True
     feedback = True
-    planner = "progprompt"
+    planner = "activities"
     actions = tuple(
         primitives[name].signature
         for name in (*PAPER, *(name for name in primitives if name not in PAPER))

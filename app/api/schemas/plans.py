@@ -59,10 +59,10 @@ class PlannerGiven(Given):
         description="How often what is left is planned anew after a step has failed, from where "
         "everything then stands; the planner learns what was observed.",
     )
-    repair: bool = Field(
-        default=False,
+    repair: bool | None = Field(
+        default=None,
         description="Insert what an action's missing precondition calls for, found by rehearsing "
-        "the plan with the perfect executor.",
+        "the plan with the perfect executor; by default where the planner asks for it.",
     )
     state_check: Literal["world", "model", "both"] = Field(
         default="world",

@@ -1,0 +1,163 @@
+"""Activities: what people ask for at home, each a function of the plan language in a file of its own.
+
+    def heat(food):
+        # warm the {food}
+        put(food, 'microwave | oven')
+
+A name with ``|`` is the first of these that the home has; one with ``?`` may be missing. ``put`` is
+``putin`` or ``putback``, as its place affords. Walking up to things is left out of the files.
+"""
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+from app.domain.action import ActionSignature, Parameter
+from app.domain.condition import Relation
+from app.domain.errors import TaskDeclined
+from app.domain.program import ActionCall, Assertion, Comment, Statement, Variable
+from app.domain.scene import SceneObject
+from app.programs.examples import FOLDER
+from app.programs.knowledge.compounds import apart
+from app.programs.parser import parse_program
+
+ROLES: Mapping[str, str] = {
+    "seat": "sittable",
+    "bed": "sittable",
+    "device": "has_switch",
+    "appliance": "has_switch",
+    "machine": "can_open",
+    "computer": "has_switch",
+}
+"""What a parameter of this name has to afford, where any of the things meant does."""
+_HEAD = re.compile(r"^def (\w+)\((.*)\):$", re.M)
+_MENTIONED = re.compile(r"\{(\w+)\}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Activity:
+    """One function."""
+
+    signature: ActionSignature
+    body: tuple[Statement, ...]
+
+
+@cache
+def load_activities(world: str) -> tuple[Activity, ...]:
+    """The world's activities in the order of their names; none where it has no folder."""
+    return tuple(
+        _activity(file.read_text(encoding="utf-8"))
+        for file in sorted((FOLDER / world / "activities").glob("*.py"))
+    )
+
+
+def _activity(text: str) -> Activity:
+    name, parameters = _HEAD.search(text).groups()
+    called = ", ".join(f"'{each}'" for each in parameters.split(", ") if each)
+    helper = parse_program(f"{text}\n\ndef task():\n    {name}({called})\n").helpers[0]
+    meaning = text.split('"""')[1].strip() if text.startswith('"""') else ""
+    taken = tuple(Parameter(name=each, affordance=ROLES.get(each)) for each in helper.parameters)
+    signature = ActionSignature(name=helper.name, parameters=taken, meaning=meaning)
+    return Activity(signature=signature, body=helper.body)
+
+
+class Home:
+    """The things of one home, and the primitives that an activity comes down to there."""
+
+    def __init__(self, objects: Sequence[SceneObject], *, feedback: bool) -> None:
+        self._affords = {
+            item.name: frozenset(dict(item.properties).get("affordances", "").split())
+            for item in objects
+        }
+        self._feedback = feedback
+        self._near = ""
+        """What was walked up to last."""
+        self._sub_tasks = 0
+
+    def carry_out(self, activity: Activity, arguments: Sequence[str]) -> Iterator[Statement]:
+        """The activity with these things, in primitives.
+
+        Raises:
+            TaskDeclined: the home lacks something that it takes.
+        """
+        given = dict(
+            zip((each.name for each in activity.signature.parameters), arguments, strict=True)
+        )
+        for statement in activity.body:
+            match statement:
+                case Comment(text=text):
+                    yield self._comment(text, given)
+                case ActionCall():
+                    names = [self._name(each, given) for each in statement.arguments]
+                    if None not in names:
+                        yield from self._call(statement.action, [each for each in names if each])
+                case _:
+                    yield statement
+
+    def _comment(self, text: str, given: Mapping[str, str]) -> Comment:
+        said = _MENTIONED.sub(lambda match: apart(given.get(match[1], match[1])), text.strip())
+        self._sub_tasks += 1
+        return Comment(text=f"{self._sub_tasks - 1}: {said}")
+
+    def done(self) -> Comment:
+        """The paper's last comment."""
+        return Comment(text=f"{self._sub_tasks}: Done")
+
+    def _name(self, value: object, given: Mapping[str, str]) -> str | None:
+        """The thing of the home that is meant; None where it may be missing and is."""
+        if isinstance(value, Variable):
+            return given[str(value)]
+        told = str(value)
+        choices = [each.strip() for each in told.removesuffix("?").split("|")]
+        found = next((each for each in choices if each in self._affords), None)
+        if found is None and not told.endswith("?"):
+            wanted = " or ".join(map(apart, choices))
+            raise TaskDeclined(f"there is no {wanted} here", kind="absent")
+        return found
+
+    def _call(self, verb: str, names: Sequence[str]) -> Iterator[Statement]:
+        target = names[-1] if names else ""
+        if verb in AFFORDED and AFFORDED[verb] not in self._affords[target]:
+            return
+        if target and target != self._near and verb not in ("find", "walk"):
+            yield ActionCall(action="find", arguments=(target,))
+            yield from self._asserted(Relation("near", (target,)), ("find", target))
+        self._near = target
+        if verb == "put":
+            verb = self._put(target)
+            yield from self._asserted(
+                Relation("held", (names[0],)), ("find", names[0]), ("grab", names[0])
+            )
+        call = ActionCall(action=verb, arguments=tuple(names))
+        state = STATES.get(verb)
+        if self._feedback and state:
+            yield Assertion(condition=Relation(state, (target,)), recovery=(call,))
+        else:
+            yield call
+
+    def _asserted(self, condition: Relation, *recovery: tuple[str, str]) -> Iterator[Assertion]:
+        if self._feedback:
+            calls = tuple(ActionCall(action=verb, arguments=(name,)) for verb, name in recovery)
+            yield Assertion(condition=condition, recovery=calls)
+
+    def _put(self, place: str) -> str:
+        affords = self._affords[place]
+        inside = "can_open" in affords or "surfaces" not in affords
+        return "putin" if inside and affords & {"containers", "can_open"} else "putback"
+
+
+AFFORDED: Mapping[str, str] = {
+    "open": "can_open",
+    "close": "can_open",
+    "switchon": "has_switch",
+    "switchoff": "has_switch",
+}
+"""Calls that are left out where the thing does not afford them."""
+STATES: Mapping[str, str] = {
+    "open": "open",
+    "close": "closed",
+    "switchon": "switched_on",
+    "switchoff": "switched_off",
+}
+"""What a call brings about: with feedback it is asserted, and the call is the recovery."""

@@ -1,0 +1,74 @@
+"""Words → the things of a home: one of a kind is as good as another, and rooms tell which."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from app.domain.condition import Relation
+from app.domain.scene import SceneObject
+from app.programs.knowledge.compounds import apart
+from app.programs.knowledge.names import words
+from app.programs.sketch import Phrase
+from app.programs.sketch_selection import Found, Judge, Selection
+from app.programs.sketch_things import Thing, read_things
+
+EQUAL = 0.03
+"""Fits this close to the best are as good."""
+
+
+class HomeSelection(Selection):
+    """Looks phrases up among the classes of things in one home."""
+
+    def __init__(
+        self, objects: Sequence[SceneObject], facts: frozenset[Relation], sentence: str, judge: Judge
+    ) -> None:
+        self._named = {apart(item.name): item.name for item in objects}
+        spoken = [replace(item, name=apart(item.name)) for item in objects]
+        super().__init__(read_things(spoken), _apart(facts), sentence, judge)
+        self._rooms = [thing for thing in self.things if thing.item.category == "room"]
+
+    def class_name(self, spoken: str) -> str:
+        """What the world calls it."""
+        return self._named[spoken]
+
+    def one(self, phrase: Phrase, without: Collection[str] = (), *, holds: bool = False) -> Found:
+        """The likeliest; where several fit as well, the first that is no room.
+
+        Raises:
+            TaskDeclined: nothing fits.
+        """
+        phrase, room = self._in_room(phrase)
+        found = self._fitting(phrase, without)
+        if not found:
+            raise self.absent(phrase.text)
+        best = max(score for _, score in found)
+        equal = [thing for thing, score in found if score >= best - EQUAL]
+        there = [thing for thing in equal if room is None or room in _rooms_of(thing)]
+        preferred = there or equal
+        if holds:
+            preferred = [thing for thing in preferred if thing.item.container] or preferred
+        return Found((min(preferred, key=lambda thing: thing.item.category == "room"),), best)
+
+    def _in_room(self, phrase: Phrase) -> tuple[Phrase, str | None]:
+        """The phrase without the room it begins or ends with, and that room."""
+        said = words(phrase.text)
+        for room in self._rooms:
+            name = words(room.name)
+            size = len(name)
+            if len(said) > size and said[:size] == name and not self._exact(phrase.text):
+                return replace(phrase, text=" ".join(said[size:])), room.name
+            if len(said) > size + 1 and said[-size:] == name:
+                kept = [w for w in said[:-size] if w not in ("in", "of", "from", "the", "on", "at")]
+                return replace(phrase, text=" ".join(kept)), room.name
+        return phrase, None
+
+    def _exact(self, text: str) -> bool:
+        return any(words(thing.name) == words(text) for thing in self.things)
+
+
+def _rooms_of(thing: Thing) -> tuple[str, ...]:
+    told = dict(thing.item.properties).get("room", "")
+    return tuple(apart(each) for each in told.split())
+
+
+def _apart(facts: frozenset[Relation]) -> frozenset[Relation]:
+    return frozenset(Relation(f.name, tuple(map(apart, f.arguments))) for f in facts)

@@ -1,0 +1,9 @@
+"""Brush the teeth."""
+
+
+def brush_teeth():
+    # let the water run
+    switchon('faucet')
+    # grab the toothpaste and the toothbrush
+    grab('toothpaste')
+    grab('toothbrush')

@@ -1,0 +1,6 @@
+"""Make a telephone call."""
+
+
+def call():
+    # call on the telephone
+    switchon('wallphone | phone | telephone | cellphone')

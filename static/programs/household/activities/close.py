@@ -1,0 +1,6 @@
+"""Close a door, a window, curtains, a book or a piece of furniture."""
+
+
+def close(obj):
+    # close the {obj}
+    close(obj)

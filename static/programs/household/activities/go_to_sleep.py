@@ -1,0 +1,8 @@
+"""Go to bed."""
+
+
+def go_to_sleep():
+    # make it dark
+    switchoff('lightswitch ?')
+    # go to bed
+    sit('bed | sofa')

@@ -1,0 +1,17 @@
+"""Warm food up; it is held in the end."""
+
+
+def heat(food):
+    # grab the {food}
+    grab(food)
+    # warm the {food}
+    switchoff('microwave | oven')
+    open('microwave | oven')
+    put(food, 'microwave | oven')
+    close('microwave | oven')
+    switchon('microwave | oven')
+    # take the {food} out
+    switchoff('microwave | oven')
+    open('microwave | oven')
+    grab(food)
+    close('microwave | oven')

@@ -1,0 +1,20 @@
+"""Wash clothes or linen in the washing machine, and take them out again."""
+
+
+def launder(clothes):
+    # grab the {clothes}
+    open('closet ?')
+    grab(clothes)
+    # put the {clothes} into the washing machine
+    open('washingmachine')
+    put(clothes, 'washingmachine')
+    grab('detergent ?')
+    put('detergent ?', 'washingmachine')
+    close('washingmachine')
+    # wash the {clothes}
+    switchon('washingmachine')
+    # take the {clothes} out
+    switchoff('washingmachine')
+    open('washingmachine')
+    grab(clothes)
+    close('washingmachine')

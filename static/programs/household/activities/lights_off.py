@@ -1,0 +1,9 @@
+"""Make it dark: every kind of light."""
+
+
+def lights_off():
+    # switch off the lights
+    switchoff('lightswitch ?')
+    switchoff('ceilinglamp ?')
+    switchoff('tablelamp ?')
+    switchoff('floorlamp ?')

@@ -1,0 +1,7 @@
+"""Make the bed."""
+
+
+def make_bed():
+    # put the pillow on the bed
+    grab('pillow')
+    put('pillow', 'bed')

@@ -1,0 +1,9 @@
+"""Make coffee."""
+
+
+def make_coffee():
+    # start the coffee maker
+    switchon('coffeemaker | coffeepot | kettle')
+    # have a cup and the coffee at hand
+    grab('coffeepot ?')
+    grab('mug | cup | coffeecup ?')

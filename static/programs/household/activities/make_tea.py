@@ -1,0 +1,10 @@
+"""Make tea."""
+
+
+def make_tea():
+    # fill the kettle and boil the water
+    grab('kettle | teapot | coffeepot')
+    put('kettle | teapot | coffeepot', 'stove | kitchencounter')
+    switchon('kettle | stove ?')
+    # have a cup at hand
+    grab('mug | cup ?')

@@ -1,0 +1,8 @@
+"""Put a thing beside or near a piece of furniture."""
+
+
+def put_near(obj, place):
+    # grab the {obj}
+    grab(obj)
+    # leave the {obj} at the {place}
+    put(obj, place)

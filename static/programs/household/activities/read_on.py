@@ -1,0 +1,11 @@
+"""Read on this seat, or at this light."""
+
+
+def read_on(text, seat):
+    # grab the {text}
+    grab(text)
+    # go to the {seat}
+    find(seat)
+    # read the {text}
+    open(text)
+    sit(seat)

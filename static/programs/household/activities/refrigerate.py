@@ -1,0 +1,10 @@
+"""Cool food in the fridge."""
+
+
+def refrigerate(food):
+    # grab the {food}
+    grab(food)
+    # put the {food} in the fridge
+    open('fridge | freezer')
+    put(food, 'fridge | freezer')
+    close('fridge | freezer')

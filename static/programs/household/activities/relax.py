@@ -1,0 +1,6 @@
+"""Sit down comfortably."""
+
+
+def relax():
+    # sit down
+    sit('sofa | armchair | couch | bed')

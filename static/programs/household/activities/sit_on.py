@@ -1,0 +1,6 @@
+"""Sit down."""
+
+
+def sit_on(seat):
+    # sit on the {seat}
+    sit(seat)

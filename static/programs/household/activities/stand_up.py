@@ -1,0 +1,6 @@
+"""Stand up."""
+
+
+def stand_up():
+    # stand up
+    standup()

@@ -1,0 +1,10 @@
+"""Put a thing away where such things are kept."""
+
+
+def store(obj):
+    # grab the {obj}
+    grab(obj)
+    # put the {obj} away
+    open('kitchencabinet | cabinet | closet')
+    put(obj, 'kitchencabinet | cabinet | closet')
+    close('kitchencabinet | cabinet | closet')

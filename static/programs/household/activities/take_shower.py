@@ -1,0 +1,9 @@
+"""Take a shower or a bath."""
+
+
+def take_shower():
+    # let the water run
+    switchon('shower | faucet')
+    # take soap and a towel
+    grab('barsoap | shampoo')
+    grab('towel')

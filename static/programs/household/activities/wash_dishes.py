@@ -1,0 +1,10 @@
+"""Wash the dishes in the dishwasher or in the sink."""
+
+
+def wash_dishes():
+    # gather the dishes
+    grab('plate | dishbowl | bowl')
+    open('dishwasher | sink')
+    put('plate | dishbowl | bowl', 'dishwasher | sink')
+    close('dishwasher ?')
+    switchon('dishwasher | faucet')

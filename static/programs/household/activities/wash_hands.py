@@ -1,0 +1,10 @@
+"""Wash the hands or the face."""
+
+
+def wash_hands():
+    # let the water run
+    switchon('faucet')
+    # take the soap
+    grab('barsoap | soap')
+    # a towel at hand to dry them
+    grab('towel')

@@ -1,0 +1,13 @@
+"""Wash a thing in a washing machine, a dishwasher or the like."""
+
+
+def wash_in(obj, machine):
+    # grab the {obj}
+    grab(obj)
+    # put the {obj} into the {machine}
+    switchoff(machine)
+    open(machine)
+    put(obj, machine)
+    # wash the {obj}
+    close(machine)
+    switchon(machine)

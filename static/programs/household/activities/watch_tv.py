@@ -1,0 +1,8 @@
+"""Watch television."""
+
+
+def watch_tv():
+    # switch on the television
+    switchon('tv | television')
+    # sit down to watch
+    sit('sofa | armchair | couch | bed')
