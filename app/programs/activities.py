@@ -22,15 +22,18 @@ from app.programs.examples import FOLDER
 from app.programs.knowledge.compounds import apart
 from app.programs.parser import parse_program
 
-ROLES: Mapping[str, str] = {
-    "seat": "sittable",
-    "bed": "sittable",
-    "device": "has_switch",
-    "appliance": "has_switch",
-    "machine": "can_open",
-    "computer": "has_switch",
+AFFORDED: Mapping[str, str] = {
+    "grab": "grabbable",
+    "put": "containers|surfaces",
+    "open": "can_open",
+    "close": "can_open",
+    "switchon": "has_switch",
+    "switchoff": "has_switch",
+    "sit": "sittable|lieable",
 }
-"""What a parameter of this name has to afford, where any of the things meant does."""
+"""What a call takes its last thing to afford."""
+DROPPED = ("open", "close", "switchon", "switchoff", "sit")
+"""Calls that are left out where the thing does not afford them."""
 _HEAD = re.compile(r"^def (\w+)\((.*)\):$", re.M)
 _MENTIONED = re.compile(r"\{(\w+)\}")
 
@@ -57,9 +60,19 @@ def _activity(text: str) -> Activity:
     called = ", ".join(f"'{each}'" for each in parameters.split(", ") if each)
     helper = parse_program(f"{text}\n\ndef task():\n    {name}({called})\n").helpers[0]
     meaning = text.split('"""')[1].strip() if text.startswith('"""') else ""
-    taken = tuple(Parameter(name=each, affordance=ROLES.get(each)) for each in helper.parameters)
+    taken = tuple(
+        Parameter(name=each, affordance=_needed(each, helper.body)) for each in helper.parameters
+    )
     signature = ActionSignature(name=helper.name, parameters=taken, meaning=meaning)
     return Activity(signature=signature, body=helper.body)
+
+
+def _needed(parameter: str, body: Sequence[Statement]) -> str | None:
+    """What the first call that is made on the parameter takes it to afford."""
+    for call in body:
+        if isinstance(call, ActionCall) and call.arguments and parameter == str(call.arguments[-1]):
+            return AFFORDED.get(call.action)
+    return None
 
 
 class Home:
@@ -118,7 +131,7 @@ class Home:
 
     def _call(self, verb: str, names: Sequence[str]) -> Iterator[Statement]:
         target = names[-1] if names else ""
-        if verb in AFFORDED and AFFORDED[verb] not in self._affords[target]:
+        if verb in DROPPED and not self._affords[target] & set(AFFORDED[verb].split("|")):
             return
         if target and target != self._near and verb not in ("find", "walk"):
             yield ActionCall(action="find", arguments=(target,))
@@ -147,13 +160,6 @@ class Home:
         return "putin" if inside and affords & {"containers", "can_open"} else "putback"
 
 
-AFFORDED: Mapping[str, str] = {
-    "open": "can_open",
-    "close": "can_open",
-    "switchon": "has_switch",
-    "switchoff": "has_switch",
-}
-"""Calls that are left out where the thing does not afford them."""
 STATES: Mapping[str, str] = {
     "open": "open",
     "close": "closed",

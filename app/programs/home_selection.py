@@ -8,18 +8,25 @@ from app.domain.scene import SceneObject
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.names import words
 from app.programs.sketch import Phrase
-from app.programs.sketch_selection import Found, Judge, Selection
+from app.programs.sketch_matching import COUNTS
+from app.programs.sketch_qualities import Fits
+from app.programs.sketch_selection import Found, Judge, Selection, affording
 from app.programs.sketch_things import Thing, read_things
 
-EQUAL = 0.03
+EQUAL = 0.015
 """Fits this close to the best are as good."""
+_LINKS = ("on", "in", "under", "from", "at", "by", "near", "off", "of", "with", "inside", "beside")
 
 
 class HomeSelection(Selection):
     """Looks phrases up among the classes of things in one home."""
 
     def __init__(
-        self, objects: Sequence[SceneObject], facts: frozenset[Relation], sentence: str, judge: Judge
+        self,
+        objects: Sequence[SceneObject],
+        facts: frozenset[Relation],
+        sentence: str,
+        judge: Judge,
     ) -> None:
         self._named = {apart(item.name): item.name for item in objects}
         spoken = [replace(item, name=apart(item.name)) for item in objects]
@@ -30,14 +37,21 @@ class HomeSelection(Selection):
         """What the world calls it."""
         return self._named[spoken]
 
-    def one(self, phrase: Phrase, without: Collection[str] = (), *, holds: bool = False) -> Found:
-        """The likeliest; where several fit as well, the first that is no room.
+    def one(
+        self,
+        phrase: Phrase,
+        without: Collection[str] = (),
+        *,
+        holds: bool = False,
+        affordance: str | None = None,
+    ) -> Found:
+        """The likeliest; where several fit as well, the first, one of the room that is told.
 
         Raises:
             TaskDeclined: nothing fits.
         """
         phrase, room = self._in_room(phrase)
-        found = self._fitting(phrase, without)
+        found = affording(self._loosely(phrase, without), affordance)
         if not found:
             raise self.absent(phrase.text)
         best = max(score for _, score in found)
@@ -47,6 +61,35 @@ class HomeSelection(Selection):
         if holds:
             preferred = [thing for thing in preferred if thing.item.container] or preferred
         return Found((min(preferred, key=lambda thing: thing.item.category == "room"),), best)
+
+    def all(
+        self, phrase: Phrase, without: Collection[str] = (), *, affordance: str | None = None
+    ) -> Found:
+        """Every kind of thing that the words mean.
+
+        Raises:
+            TaskDeclined: nothing fits.
+        """
+        phrase, _ = self._in_room(phrase)
+        if self._fitting(phrase, without):
+            return super().all(phrase, without, affordance=affordance)
+        return self.one(phrase, without, affordance=affordance)
+
+    def _loosely(self, phrase: Phrase, without: Collection[str]) -> Fits:
+        """What fits; else what fits the words before "on" or "from", the words but the last, or
+        what is named after the thing: a coffee pot where coffee is wanted."""
+        if found := self._fitting(phrase, without):
+            return found
+        said = words(phrase.text)
+        place = next((i for i, word in enumerate(said) if i and word in _LINKS), len(said) - 1)
+        for shorter in (said[:place], said[: len(said) - 1]):
+            if shorter and (found := self._fitting(Phrase(text=" ".join(shorter)), without)):
+                return found
+        return [
+            (thing, COUNTS)
+            for thing in self.things
+            if thing.name not in without and said and thing.words[: len(said)] == said
+        ]
 
     def _in_room(self, phrase: Phrase) -> tuple[Phrase, str | None]:
         """The phrase without the room it begins or ends with, and that room."""
@@ -60,6 +103,10 @@ class HomeSelection(Selection):
                 kept = [w for w in said[:-size] if w not in ("in", "of", "from", "the", "on", "at")]
                 return replace(phrase, text=" ".join(kept)), room.name
         return phrase, None
+
+    def possible(self, phrase: Phrase, without: Collection[str] = ()) -> bool:
+        """Whether anything fits at all, loosely."""
+        return bool(self._loosely(self._in_room(phrase)[0], without))
 
     def _exact(self, text: str) -> bool:
         return any(words(thing.name) == words(text) for thing in self.things)

@@ -179,14 +179,14 @@ class Composer:
         if (word := self._word(argument, parameter)) is not None:
             return word
         if argument.quantity == "all" and argument.count == 1:
-            return self._any_one(argument, without)
+            return self._any_one(argument, without, parameter.affordance)
         if not self._selection.possible(argument, without) and self._selection.possible(argument):
             raise _into_itself(argument.text)
         if (is_plural(argument) or self._collective(argument)) and not holds:
             many = self._selection.all(argument, without)
             if len(many.things) > 1:
                 return None
-        found = self._selection.one(argument, without, holds=holds)
+        found = self._selection.one(argument, without, holds=holds, affordance=parameter.affordance)
         self._sureness = min(self._sureness, found.sureness)
         return found.things[0].name
 
@@ -208,9 +208,9 @@ class Composer:
         mass = bool(found) and found[-1] in COLLECTIVE and not self._exactly(phrase.text.lower())
         return mass and not self._selection.indefinite(phrase.text)
 
-    def _any_one(self, phrase: Phrase, without: set[str]) -> str:
+    def _any_one(self, phrase: Phrase, without: set[str], affordance: str | None) -> str:
         """One of those that fit, one that nothing was done with yet if there is any."""
-        found = self._selection.all(phrase, without)
+        found = self._selection.all(phrase, without, affordance=affordance)
         self._sureness = min(self._sureness, found.sureness)
         names = [thing.name for thing in found.things]
         return next((name for name in names if name not in self._taken), names[0])
@@ -231,7 +231,7 @@ class Composer:
         if isinstance(spread, Each) and isinstance(argument, Phrase) and argument.count:
             spread, argument = _for_each(spread, argument, len(targets))
         avoid = {str(each) for each in fixed.values()} | {thing.name for thing in targets}
-        members = self._members(argument, avoid, fixed)
+        members = self._members(argument, avoid, fixed, signature.parameters[which].affordance)
         pairs = self._pairs(members, spread, targets)
         lines: list[Statement] = []
         place = next(iter(fixed), None) if self._piled(argument, fixed, spread) else None
@@ -309,6 +309,7 @@ class Composer:
         argument: SketchArgument,
         avoid: set[str],
         fixed: dict[int, Argument],
+        affordance: str | None,
     ) -> list[Thing]:
         if isinstance(argument, Rest):
             free = [
@@ -320,7 +321,7 @@ class Composer:
             return found
         if not isinstance(argument, Phrase):
             raise ProgramRefused(Fault(field="program", message="a set is wanted"))
-        selected = self._selection.all(argument, avoid)
+        selected = self._selection.all(argument, avoid, affordance=affordance)
         self._sureness = min(self._sureness, selected.sureness)
         found = list(selected.things)
         described = describe_phrase(argument)

@@ -76,13 +76,22 @@ class Selection:
         self.spoken: set[str] = set()
         """Names of what this sentence spoke of so far."""
 
-    def one(self, phrase: Phrase, without: Collection[str] = (), *, holds: bool = False) -> Found:
+    def one(
+        self,
+        phrase: Phrase,
+        without: Collection[str] = (),
+        *,
+        holds: bool = False,
+        affordance: str | None = None,
+    ) -> Found:
         """The object that the words mean; ``holds`` where something is put into it.
+
+        Of what fits, things with the ``affordance`` come first, where the scene tells of any.
 
         Raises:
             TaskDeclined: nothing fits, or several fit equally well.
         """
-        found = self._fitting(phrase, without)
+        found = affording(self._fitting(phrase, without), affordance)
         if not found:
             raise self.absent(phrase.text)
         best = max(score for _, score in found)
@@ -97,13 +106,17 @@ class Selection:
             raise self.ambiguous(phrase.text, equal)
         return Found((equal[0],), best)
 
-    def all(self, phrase: Phrase, without: Collection[str] = ()) -> Found:
+    def all(
+        self, phrase: Phrase, without: Collection[str] = (), *, affordance: str | None = None
+    ) -> Found:
         """Every object that the words mean, in the scene's order.
+
+        Of what fits, only things with the ``affordance``, where the scene tells of any.
 
         Raises:
             TaskDeclined: nothing fits.
         """
-        found = self._fitting(phrase, without)
+        found = affording(self._fitting(phrase, without), affordance)
         if not found:
             raise self.absent(phrase.text)
         best = max(score for _, score in found)
@@ -302,6 +315,15 @@ class Selection:
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
         return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
+
+
+def affording(found: Fits, affordance: str | None) -> Fits:
+    """Those that afford it, or all where none is told to; any of ``a|b`` will do."""
+    if affordance is None:
+        return found
+    wanted = set(affordance.split("|"))
+    kept = [(t, s) for t, s in found if wanted & set((t.property("affordances") or "").split())]
+    return kept or found
 
 
 def is_called(thing: Thing, described: Description) -> bool:

@@ -73,7 +73,11 @@ def _given(actor: Actor) -> tuple[str, list[Step], bool]:
     template = actor.words.say("verbs", "chains", "given")
     it = x.form("it")
     between = f"{stem} {it} {preposition}"
-    if template.startswith("{p} {y}") or " before you {p}" in template or "you {p} {y}," in template:
+    if (
+        template.startswith("{p} {y}")
+        or " before you {p}" in template
+        or "you {p} {y}," in template
+    ):
         between = f"{stem} {x.text if template.startswith('{p}') else it} {preposition}"
         if template.startswith("{p}"):
             template = template.replace("{x}", "{x.it}")

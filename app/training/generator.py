@@ -18,6 +18,7 @@ from app.programs.sketch_parser import parse_sketch, print_sketch
 from app.programs.sketch_prompt import write_sketch_prompt
 from app.training.acting import Actor, around
 from app.training.chaining import chain, quoted
+from app.training.chores import Chores
 from app.training.composing import Composer, Step, read_steps
 from app.training.foreign import foreign
 from app.training.noise import dress, misspell, typed
@@ -53,6 +54,7 @@ WEIGHTS = {
     "impossible": 6,
     "dialogue": 4,
     "sentence": 14,
+    "chore": 34,
 }
 """How often each kind of sentence is made."""
 VERBAL = ("verb", "verbs", "chain", "quoted")
@@ -86,6 +88,9 @@ class Draft:
     history: tuple[Turn, ...] = ()
     plain: bool = False
     """Not to be dressed nor misspelt."""
+    lines: tuple[str, ...] = ()
+    """The sketch where it is no matter of the robot's verbs, with ``actions``."""
+    actions: tuple[ActionSignature, ...] = ()
 
 
 def generate(
@@ -110,6 +115,8 @@ def make_example(rng: Random, split: Split, data: Path | None = None) -> Example
         and words.chance(0.3)
     ):
         robot.add(STACK, words.say("verbs", "stack"))
+    if draft.lines:
+        return _checked(_chore(words, draft))
     sentence = draft.text
     if not draft.plain:
         sentence = typed(words, dress(words, sentence, order=draft.order))
@@ -289,6 +296,20 @@ def _whole(composer: Composer, _robot: Robot) -> Draft:
     return Draft(text, list(found.steps), plain=True)
 
 
+def _ask_chore(composer: Composer, _robot: Robot) -> Draft:
+    text, lines, actions = Chores(composer.words).ask()
+    return Draft(text, [], lines=tuple(lines), actions=actions)
+
+
+def _chore(words: Words, draft: Draft) -> Example:
+    order = draft.text.split()[0] not in ("i", "it", "the", "there")
+    sentence = draft.text
+    if words.chance(0.5):
+        sentence = typed(words, dress(words, sentence, order=order))
+    target = "".join(f"{INDENT}{line}\n" for line in draft.lines) + "\n"
+    return Example("chore", sentence, draft.actions, (), target)
+
+
 MAKERS: dict[str, Callable[[Composer, Robot], Draft]] = {
     "put": _put,
     "construction": _construction,
@@ -303,6 +324,7 @@ MAKERS: dict[str, Callable[[Composer, Robot], Draft]] = {
     "impossible": _impossible,
     "dialogue": _dialogue,
     "sentence": _whole,
+    "chore": _ask_chore,
 }
 
 

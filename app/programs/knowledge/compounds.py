@@ -6,7 +6,19 @@ from app.programs.knowledge.classes import classes, normal
 from app.programs.knowledge.wordnet import nouns
 
 _PIECES = frozenset(
-    ("tv", "cpu", "living", "dining", "washing", "cutting", "whipped", "frying", "cooking", "childrens", "creamy")
+    (
+        "tv",
+        "cpu",
+        "living",
+        "dining",
+        "washing",
+        "cutting",
+        "whipped",
+        "frying",
+        "cooking",
+        "childrens",
+        "creamy",
+    )
 )
 """First parts that are no nouns, or not nouns that stand for things."""
 _SHORTEST = 2

@@ -13,8 +13,10 @@ FILE = Path(__file__).parents[3] / "static" / "knowledge" / "uses.json"
 
 
 def uses(name: str) -> tuple[str, ...]:
-    """Phrases for the thing of this name, by its longest ending that is known: a desk lamp's are
-    those of a lamp where none are known of its own."""
+    """Phrases for the thing of this name, by its longest ending that is known.
+
+    A desk lamp's are those of a lamp where none are known of its own.
+    """
     table = _table()
     for ending in endings(head_first(name)):
         if found := table.get(ending) or table.get(ending.replace(" ", "")):
@@ -32,6 +34,5 @@ def phrases() -> tuple[str, ...]:
 def _table() -> dict[str, tuple[str, ...]]:
     entries: dict[str, str] = json.loads(FILE.read_text(encoding="utf-8"))
     return {
-        noun: tuple(phrase.strip() for phrase in told.split(";"))
-        for noun, told in entries.items()
+        noun: tuple(phrase.strip() for phrase in told.split(";")) for noun, told in entries.items()
     }
