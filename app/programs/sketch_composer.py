@@ -21,6 +21,7 @@ from app.programs.sketch import (
     SketchArgument,
     SketchCall,
 )
+from app.programs.sketch_order import in_order
 from app.programs.sketch_phrase import describe_phrase, spoken_of
 from app.programs.sketch_qualities import far_larger, ordered
 from app.programs.sketch_selection import Selection, is_container
@@ -131,6 +132,7 @@ class Composer:
             raise ProgramRefused(Fault(field="program", message=message))
         _refuse_beside(call, self._selection.sentence)
         call = righted(call, signature, self._selection.sentence)
+        call = in_order(call, signature, self._selection.sentence)
         several = [i for i, each in enumerate(call.arguments) if self._several(each)]
         place = place_of(signature, several)
         if place in several and len(several) == 1 and _any_one_of(call.arguments[place]):

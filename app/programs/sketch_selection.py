@@ -16,6 +16,7 @@ from app.programs.sketch_matching import (
     COUNTS,
     EXACT,
     HEAD,
+    KIND,
     SETS,
     SLIP,
     find_class,
@@ -41,6 +42,10 @@ Judge = Callable[[str, Sequence[Sequence[str]]], Sequence[float]]
 told by its name and by what it is for."""
 ALIKE, ALIKE_MARGIN = 0.45, 0.05
 """Likeness of meaning, a cosine, from which words are taken to mean a thing."""
+PLAINLY, USE_MARGIN = 0.6, 0.06
+"""From which likeness on a clause tells plainly what is meant, before any class is asked."""
+_CLAUSE_WORDS = frozenset(("for", "to", "that", "which", "you", "i", "we", "with", "made", "used"))
+_SAID_OF_ALL = frozenset(("that", "which", "one", "something", "will", "can"))
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (
     r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
@@ -191,6 +196,8 @@ class Selection:
             return found
         if described.other:
             without = {*without, *(self.spoken or self.earlier)}
+        if found := self._used_so(described, without):
+            return self._qualified(described, found, phrase.quantity == "all")
         nouns = self._nouns(described, phrase, without)
         found = self._qualified(described, nouns, phrase.quantity == "all")
         if not found and (english := in_english(phrase.text, surely=False)):
@@ -241,19 +248,43 @@ class Selection:
         best = max((score for _, score in scored), default=0.0)
         return [(t, SLIP + 0.1 * score) for t, score in scored if score and score >= best - 0.03]
 
+    def _used_so(self, described: Description, without: Collection[str]) -> Fits:
+        """The things a clause plainly tells of by their use: "the thing i dry my hair with"."""
+        if not is_clause(described):
+            return []
+        scores = self._likenesses(described, without)
+        best = max(scores, default=(0.0, None), key=lambda pair: pair[0])[0]
+        return [(t, KIND) for s, t in scores if t and s >= PLAINLY and s >= best - USE_MARGIN]
+
     def _judged(self, described: Description, without: Collection[str]) -> Fits:
         """By likeness of meaning, for descriptions and for words that no knowledge covers."""
-        free = [thing for thing in self.things if thing.name not in without]
         open_ = set(described.whole) & VAGUE or all(map(misspelt, described.core))
-        if self._judge is None or not free or not described.core or not open_:
+        if not described.core or not (open_ or is_clause(described)):
             return []
-        scores = self._judge(described.text, [(t.name, *uses(t.name)) for t in free])
-        best = max(scores)
-        return [
-            (thing, COUNTS)
-            for thing, score in zip(free, scores, strict=True)
-            if score >= ALIKE and score >= best - ALIKE_MARGIN
+        scores = self._likenesses(described, without)
+        best = max(scores, default=(0.0, None), key=lambda pair: pair[0])[0]
+        return [(t, COUNTS) for s, t in scores if t and s >= ALIKE and s >= best - ALIKE_MARGIN]
+
+    def _likenesses(
+        self, described: Description, without: Collection[str]
+    ) -> list[tuple[float, Thing]]:
+        """How like each thing is to what is said of it; what the words name besides is not meant."""
+        said = [normal(each) for each in words(described.text)]
+        free = [
+            thing
+            for thing in self.things
+            if thing.name not in without and thing.unmarked not in said[1:]
         ]
+        if self._judge is None or not free:
+            return []
+        told = [(thing.name, *uses(thing.name)) for thing in free]
+        bare = " ".join(each for each in words(described.text) if each not in VAGUE | _SAID_OF_ALL)
+        scores = zip(
+            self._judge(described.text, told),
+            self._judge(bare or described.text, told),
+            strict=True,
+        )
+        return [(max(pair), thing) for pair, thing in zip(scores, free, strict=True)]
 
     def _qualified(self, described: Description, found: Fits, many: bool) -> Fits:
         """Those of the found ones that have what else the phrase asks for."""
@@ -315,6 +346,12 @@ class Selection:
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
         return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
+
+
+def is_clause(described: Description) -> bool:
+    """Whether the words tell what a thing is for, and do not name it."""
+    said = words(described.text)
+    return len(said) > 2 and bool(_CLAUSE_WORDS & set(said[1:]))
 
 
 def affording(found: Fits, affordance: str | None) -> Fits:

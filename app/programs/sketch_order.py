@@ -1,0 +1,40 @@
+"""Which of a verb's two arguments is which, where the sentence's small words tell it."""
+
+import re
+
+from app.domain.action import ActionSignature
+from app.programs.knowledge.word_lists import word_list
+from app.programs.sketch import Phrase, SketchCall
+
+PLACES = word_list("places")
+TOOLS = word_list("tools")
+"""Names of parameters for what something is done with."""
+_PLACING = "into|onto|over|in|on|to|at|against|under|through|around|towards|toward|inside|across"
+_BEFORE = (
+    r"\b({})\s+(?:top of\s+)?(?:the\s+|an?\s+|my\s+|your\s+|its\s+|his\s+|her\s+|some\s+)?{}\b"
+)
+
+
+def in_order(call: SketchCall, signature: ActionSignature, sentence: str) -> SketchCall:
+    """The call with its arguments the other way round where the sentence plainly says so.
+
+    "label the crate with the sticker": what is labelled comes first, the sticker stands behind
+    "with". Where the parameters' names tell which is the place or the tool, they decide; else the
+    second one is.
+    """
+    if len(call.arguments) != 2:
+        return call
+    texts = [each.text for each in call.arguments if isinstance(each, Phrase)]
+    if len(texts) != 2 or texts[0] == texts[1]:
+        return call
+    for kind, links in ((PLACES, _PLACING), (TOOLS, "with|using")):
+        behind = [_stands_behind(links, text, sentence) for text in texts]
+        if behind[0] != behind[1]:
+            named = [parameter.name in kind for parameter in signature.parameters]
+            oblique = 0 if named[0] and not named[1] else 1
+            return call if behind[oblique] else SketchCall(call.action, call.arguments[::-1])
+    return call
+
+
+def _stands_behind(links: str, text: str, sentence: str) -> bool:
+    return bool(re.search(_BEFORE.format(links, re.escape(text)), sentence, re.I))
