@@ -1,4 +1,4 @@
-"""Tabletop: a table of objects and a Franka Panda, in MuJoCo."""
+"""Tabletop: a table of objects and a robot arm, in MuJoCo."""
 
 import struct
 from collections.abc import Callable, Iterator
@@ -13,9 +13,10 @@ from app.domain.perception import Perception
 from app.domain.program import Argument
 from app.domain.scene import Scene
 from app.domain.trace import Frame
-from app.domain.world import ObjectKind, Stage, World
+from app.domain.world import ObjectKind, RobotKind, Stage, World
 from app.worlds import worlds
 from app.worlds.actions.tabletop import actions as primitives
+from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 from app.worlds.simulators.mujoco.objects import kinds
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.placement import complete
@@ -40,6 +41,11 @@ class Tabletop:
 
     actions = tuple(action.signature for action in primitives.values())
     default_actions: tuple[str, ...] = ("grab_and_putin",)
+
+    robots = tuple(
+        RobotKind(name=name, title=arm.title, joints=arm.joints, default=name == DEFAULT_ARM)
+        for name, arm in arms.items()
+    )
 
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""

@@ -9,9 +9,7 @@ from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.domain.world import Stage
 from app.worlds.simulators.mujoco.cloud import Cloud
-from app.worlds.simulators.mujoco.kinematics import HOME
 from app.worlds.simulators.mujoco.motion import free_path
-from app.worlds.simulators.mujoco.physics import LARGEST_OPENING
 from app.worlds.simulators.mujoco.picking import CLEARANCE
 from app.worlds.simulators.mujoco.placing import Placing
 from app.worlds.simulators.mujoco.workcell import Workcell
@@ -61,23 +59,24 @@ class Manoeuvre:
     def come_home(self) -> Iterator[Stage]:
         """Open the gripper and bring the arm home, whatever state it was left in."""
         physics, panda = self._cell.physics, self._cell.panda
-        if np.abs(physics.joints - HOME).max() > 0.02:
+        if np.abs(physics.joints - physics.arm.home).max() > 0.02:
             collisions = self._cell.collisions
             if self._held():
                 yield from self._during("release", panda.open())
             collisions.recall()
             opening = physics.opening
             path = free_path(
+                physics.arm,
                 physics.joints,
-                HOME,
+                physics.arm.home,
                 lambda q: collisions.find(q, opening, ON_THE_WAY) is not None,
                 self._rng,
             )
-            straight = np.array([physics.joints, HOME])
+            straight = np.array([physics.joints, physics.arm.home])
             yield from self._during(
                 "home", panda.follow(straight if path is None else path, FREE_SPEED)
             )
-        if physics.commanded_opening < LARGEST_OPENING:
+        if physics.commanded_opening < physics.arm.largest_opening - 1e-9:
             yield from self._during("home", panda.open())
 
     def _go_home_loaded(self, item: str) -> Iterator[Stage]:
@@ -91,8 +90,9 @@ class Manoeuvre:
         opening = physics.opening
         with collisions.carrying(item):
             path = free_path(
+                physics.arm,
                 physics.joints,
-                HOME,
+                physics.arm.home,
                 lambda q: collisions.find(q, opening, CLEARANCE) is not None,
                 self._rng,
             )

@@ -17,7 +17,6 @@ from app.worlds.actions.manoeuvre import (
 from app.worlds.actions.taking import ATTEMPTS, Taking
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.destination import Destination
-from app.worlds.simulators.mujoco.kinematics import forward
 from app.worlds.simulators.mujoco.picking import Pick
 from app.worlds.simulators.mujoco.placing import Place
 from app.worlds.simulators.mujoco.workcell import Workcell
@@ -121,7 +120,7 @@ class PickAndPlace(Taking):
         opening = panda.grip(place.opening, RELEASE_SECONDS, CLOSING_SECONDS)
         yield from self._during("release", opening)
         yield from self._during("retreat", panda.trace(place.lower[::-1], LIFT_SPEED))
-        if forward(place.lower[-1])[2, 3] > HIGH:
+        if self._cell.physics.arm.forward(place.lower[-1])[2, 3] > HIGH:
             self._cell.look_at()  # What stands so high now is in the way home.
 
     def _choose_place(self) -> Place:

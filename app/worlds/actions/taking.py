@@ -19,7 +19,6 @@ from app.worlds.actions.manoeuvre import (
 )
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.grasp import Grasp
-from app.worlds.simulators.mujoco.physics import LARGEST_OPENING
 from app.worlds.simulators.mujoco.picking import Pick, Picking
 from app.worlds.simulators.mujoco.workcell import Workcell
 
@@ -77,7 +76,7 @@ class Taking(Manoeuvre):
         panda = self._cell.panda
         yield from self._during("reach", panda.follow(pick.reach, FREE_SPEED))
         self._banned.append(pick.grasp)
-        if pick.opening < LARGEST_OPENING:
+        if pick.opening < self._cell.physics.arm.largest_opening:
             yield from self._during("reach", panda.open(pick.opening, 0.15))
         yield from self._during("approach", panda.trace(pick.approach, CLOSE_SPEED))
         yield from self._during("approach", panda.wait(PAUSE))

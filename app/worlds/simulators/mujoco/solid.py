@@ -20,6 +20,8 @@ CONTACT_DIMENSIONS = 6
 STIFFNESS = (0.005, 1.0)
 """Time constant [s] and damping ratio of contacts. At MuJoCo's 0.02 s, what is held creeps out of the
 fingers by a centimetre in a fast carry, and a falling fork goes through the floor of a bin."""
+PAD_FRICTION = (1.5, 0.02, 0.002)
+"""Of the robots' finger pads, likewise."""
 Point = Sequence[float]
 
 

@@ -8,8 +8,8 @@ from app.worlds.simulators.mujoco.cameras import Cameras
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.collision import Collisions
 from app.worlds.simulators.mujoco.known_collisions import KnownCollisions
+from app.worlds.simulators.mujoco.manipulator import Manipulator
 from app.worlds.simulators.mujoco.outline import KnownOutlines, Outlines, SeenOutlines
-from app.worlds.simulators.mujoco.panda import Panda
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.relations import Relations
 from app.worlds.simulators.mujoco.scene_builder import BuiltScene
@@ -21,7 +21,7 @@ class Workcell:
     """Everything about one running scene."""
 
     physics: Physics
-    panda: Panda
+    panda: Manipulator
     cameras: Cameras
     collisions: Collisions
     outlines: Outlines
@@ -53,7 +53,7 @@ class Workcell:
         else:
             collisions = SeenCollisions(physics, cameras)
             outlines, relations = SeenOutlines(), Beliefs(physics, cameras, truth)
-        panda = Panda(physics)
+        panda = Manipulator(physics)
         return cls(physics, panda, cameras, collisions, outlines, relations, truth)
 
     def look_at(self, *names: str) -> dict[str, Cloud]:
