@@ -189,3 +189,13 @@ def test_lists_come_in_parts_newest_first(client, request_body, path):
         if cursor is None:
             break
     assert seen == made[::-1]
+
+
+def test_a_vision_model_that_is_not_there_cannot_be_the_detector(client, request_body, problem_of):
+    asked = request_body | {"perception": {"detector": "vision"}}
+    problem = problem_of(client.post("/plans", json=asked), 422)
+    assert problem["errors"][0]["field"] == "perception.detector"
+    assert "PROGPROMPT_VISION_URL" in problem["errors"][0]["message"]
+    asked = request_body | {"perception": {"detector": "vision", "source": "privileged"}}
+    problem = problem_of(client.post("/plans", json=asked), 422)
+    assert "only cameras have one" in problem["errors"][0]["message"]
