@@ -11,6 +11,7 @@ import numpy as np
 
 from app.worlds.simulators.mujoco.colours import Colour
 from app.worlds.simulators.mujoco.shapes import Mesh, Points, merged
+from app.worlds.simulators.mujoco.solid_shape import Primitive
 
 VISUAL_GROUP = 2
 COLLISION_GROUP = 3
@@ -68,6 +69,12 @@ class Solid:
         # MuJoCo makes the hull itself; rounding keeps points that should coincide together.
         self._spec.add_mesh(name=name, uservert=np.round(points, 7).reshape(-1))
         self._collide(mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
+
+    def primitive(self, shape: Primitive) -> None:
+        """Collide as one of MuJoCo's own shapes, with its measures."""
+        self._collide(
+            mujoco.mjtGeom(shape.type), size=shape.size, pos=shape.centre, quat=shape.turn
+        )
 
     def _collide(self, shape: mujoco.mjtGeom, **geometry: object) -> None:
         self._body.add_geom(
