@@ -13,9 +13,11 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import serve
 
 from app.domain.robot import JointTrajectory, RobotStopped, TrajectoryRefused
+from app.domain.scene import Scene, SceneObject
 from app.robots.playback import trajectory_of
 from app.robots.websocket import CHUNK, WebSocketRobot
 from app.worlds.simulators.mujoco.arms import arms
+from app.worlds.tabletop import Tabletop
 
 PANDA = arms["panda"]
 HOME = (0.0, -0.35, 0.0, -2.3, 0.0, 1.95, 0.785)
@@ -232,3 +234,18 @@ def test_no_arm_gets_a_trajectory_beyond_its_own_limits(name, limit):
     with pytest.raises(TrajectoryRefused) as refused:
         WebSocketRobot("ws://127.0.0.1:9", arm, limits=limits).execute(trajectory)
     assert refused.value.faults[0].field == limit
+
+
+@pytest.mark.physics
+@pytest.mark.parametrize("name", arms)
+def test_what_every_arm_does_in_simulation_keeps_to_its_limits(name):
+    objects = tuple(SceneObject(name=each) for each in ("banana", "bowl", "can"))
+    world = Tabletop().open(Scene(world="tabletop", robot=name, objects=objects), 3)
+    for _ in world.perform("grab_and_putin", ("banana", "bowl")):
+        pass
+    frames = np.array([(frame.time, *frame.positions) for frame in world.frames()], "<f4")
+    arm = arms[name]
+    trajectory = trajectory_of(frames.tobytes(), frames.shape[1], arm)
+    carried = WebSocketRobot("ws://127.0.0.1:9", arm).execute(trajectory)
+    assert carried.points > 100
+    assert min(trajectory.openings) < 0.06 < max(trajectory.openings)

@@ -25,9 +25,9 @@ CLOSED = 0.8
 """The angle of the fingers' drivers when the tips meet [rad]."""
 FULL_CONTROL = 255.0
 """What the gripper's actuator is sent to close it wholly; the maker's range is 0 to 255."""
-GAIN, DAMPING, FORCE = 400.0, 20.0, 5.0
-"""Of the position servo on the drivers: [Nm/rad], [Nms/rad], [Nm], both together. About 40 N
-between the tips."""
+GAIN, DAMPING, FORCE = 12.0, 0.6, 5.0
+"""Of the position servo on the drivers: [Nm/rad], [Nms/rad], [Nm], both together. About as stiff
+between the tips as the Panda's, some 2000 N/m, so that a gentle squeeze lets a lid's fin turn."""
 FOOT = (0.0, 0.0, -0.03), (0.06, 0.05, 0.0)
 """Middle, and radius and half length of the capsule about the foot [m]."""
 PIVOT, PAD = 0.0306, -0.0255
