@@ -127,6 +127,17 @@ def test_the_other_robot_can_be_chosen_and_does_the_same(open_page):
     expect(page.get_by_label("Robot", exact=True)).to_be_hidden()
 
 
+def test_a_vision_model_that_is_not_there_is_said_where_it_was_chosen(open_page):
+    page = open_page()
+    page.get_by_label("What should the robot do?").fill(SENTENCE)
+    page.get_by_text("Settings").click()
+    page.get_by_label("pictures are told by").select_option("vision")
+    page.get_by_label("Share of objects").fill("0.5")
+    page.get_by_role("button", name="Run", exact=True).click()
+    field = page.locator('[data-field="perception.detector"]')
+    expect(field).to_contain_text("PROGPROMPT_VISION_URL")
+
+
 def test_what_was_typed_survives_a_reload(open_page):
     page = open_page()
     page.get_by_role("button", name="Add an object").click()
