@@ -58,11 +58,11 @@ class Manoeuvre:
 
     def come_home(self) -> Iterator[Stage]:
         """Open the gripper and bring the arm home, whatever state it was left in."""
-        physics, panda = self._cell.physics, self._cell.panda
+        physics, manipulator = self._cell.physics, self._cell.manipulator
         if np.abs(physics.joints - physics.arm.home).max() > 0.02:
             collisions = self._cell.collisions
             if self._held():
-                yield from self._during("release", panda.open())
+                yield from self._during("release", manipulator.open())
             collisions.recall()
             opening = physics.opening
             path = free_path(
@@ -74,10 +74,10 @@ class Manoeuvre:
             )
             straight = np.array([physics.joints, physics.arm.home])
             yield from self._during(
-                "home", panda.follow(straight if path is None else path, FREE_SPEED)
+                "home", manipulator.follow(straight if path is None else path, FREE_SPEED)
             )
         if physics.commanded_opening < physics.arm.largest_opening - 1e-9:
-            yield from self._during("home", panda.open())
+            yield from self._during("home", manipulator.open())
 
     def _go_home_loaded(self, item: str) -> Iterator[Stage]:
         """Bring the arm home with an object in the gripper.
@@ -98,7 +98,7 @@ class Manoeuvre:
             )
         if path is None:
             raise ActionFailure("home", f"no path home with {item} was found")
-        yield from self._during("home", self._cell.panda.follow(path, CARRY_SPEED))
+        yield from self._during("home", self._cell.manipulator.follow(path, CARRY_SPEED))
         if not self._held():
             raise ActionFailure("home", f"slipped: {item} was lost on the way")
 
@@ -106,9 +106,9 @@ class Manoeuvre:
         """Wait until nothing moves any more, or for ``LONGEST_WAIT``."""
         physics = self._cell.physics
         deadline = physics.time + LONGEST_WAIT
-        yield from self._during("check", self._cell.panda.wait(0.25))
+        yield from self._during("check", self._cell.manipulator.wait(0.25))
         while not physics.resting() and physics.time < deadline:
-            yield from self._during("check", self._cell.panda.wait(0.1))
+            yield from self._during("check", self._cell.manipulator.wait(0.1))
 
     def _placing(self) -> Placing:
         return Placing(self._cell.physics, self._cell.collisions, self._rng)

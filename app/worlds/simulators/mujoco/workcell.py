@@ -23,7 +23,7 @@ class Workcell:
     """Everything about one running scene."""
 
     physics: Physics
-    panda: Manipulator
+    manipulator: Manipulator
     cameras: Cameras
     collisions: Collisions
     outlines: Outlines
@@ -61,8 +61,8 @@ class Workcell:
         else:
             collisions = SeenCollisions(physics, cameras)
             outlines, relations = SeenOutlines(), Beliefs(physics, cameras, truth)
-        panda = Manipulator(physics)
-        return cls(physics, panda, cameras, collisions, outlines, relations, truth)
+        manipulator = Manipulator(physics)
+        return cls(physics, manipulator, cameras, collisions, outlines, relations, truth)
 
     def look_at(self, *names: str) -> dict[str, Cloud]:
         """Clouds of what is seen, the named ones and what is next to them from close up."""
