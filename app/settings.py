@@ -42,6 +42,11 @@ class Settings:
     """It only takes chats."""
     endpoint_grammar: bool = False
     """It takes a grammar beside the prompt, as the llama.cpp server does."""
+    vision_url: str | None = None
+    """Base URL of an OpenAI-compatible endpoint whose model takes pictures."""
+    vision_key: str | None = None
+    vision_model: str | None = None
+    """The model's name there; plans reach it by ``"perception": {"detector": "vision"}``."""
     anthropic_key: str | None = None
     anthropic_model: str | None = None
     """The model that plans get as ``anthropic``."""

@@ -51,6 +51,7 @@ class PerfectTabletop:
         self.moves = False
         self.feedback = False
         self.planner = "progprompt"
+        self.robots = ()
 
     def open(self, scene, seed, perception=None):
         return self.open_perfect(scene, seed)

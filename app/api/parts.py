@@ -21,6 +21,8 @@ class Parts:
     handover: Handover
     llm: LlmConfig
     default_model: str
+    vision: bool = False
+    """Whether the cameras' detector can be a vision model."""
     tail: EventTail = field(init=False)
 
     def __post_init__(self) -> None:

@@ -11,6 +11,7 @@ from app.api.parts import Parts
 from app.api.schemas.plans import PlanGiven
 from app.domain.errors import Fault, NotThere, ProgramRefused, Refused, UnknownName
 from app.domain.instruction import Instruction
+from app.domain.perception import NO_VISION
 from app.domain.plan import Plan
 from app.domain.program import Program
 from app.domain.scene import Scene
@@ -79,6 +80,7 @@ def _checked(parts: Parts, request: PlanGiven) -> tuple[PlanRow, Program | None]
         check(lambda: Instruction(request.instruction or ""))
         check(lambda: _known_planner(request.planner.name))
         check(lambda: _known_model(parts, request.planner.model))
+    check(lambda: _visible(parts, request))
     check.raise_if_any()
     assert scene is not None
     world = worlds[scene.world]
@@ -116,6 +118,11 @@ def _checked(parts: Parts, request: PlanGiven) -> tuple[PlanRow, Program | None]
         if request.goal:
             row.plan_scores = rehearse(plan, goal, world, scene, request.seed, state=state)
     return row, understood[0] if understood else None
+
+
+def _visible(parts: Parts, request: PlanGiven) -> None:
+    if request.perception.detector == "vision" and not parts.vision:
+        raise Refused(Fault(field="perception.detector", message=NO_VISION))
 
 
 def _store(parts: Parts, row: PlanRow, program: Program | None) -> None:

@@ -20,6 +20,7 @@ from app.evaluation.scaling import ScalingRow, bench_parallel
 from app.llm.models import open_model
 from app.main.models import llm_config
 from app.settings import Settings
+from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 
 Source = Literal["cameras", "privileged"]
 command = click.Group("bench", help="Measure parts of the system on this machine.")
@@ -54,9 +55,13 @@ def _seeing(function: Callable[..., None]) -> Callable[..., None]:
 @click.option("--episodes", default=50, show_default=True, type=click.IntRange(min=1))
 @click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0))
 @click.option("--workers", default=1, show_default=True, type=click.IntRange(1, 64))
+@click.option("--robot", default=DEFAULT_ARM, show_default=True, type=click.Choice(list(arms)),
+              help="The arm that picks.")  # fmt: skip
 @_seeing
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on standard output.")
-def pick(episodes: int, seed: int, workers: int, perception: Perception, as_json: bool) -> None:
+def pick(
+    episodes: int, seed: int, workers: int, robot: str, perception: Perception, as_json: bool
+) -> None:
     """Pick random objects and put them into random containers; nothing else needs to run."""
     with Progress(console=Console(stderr=True)) as progress:
         bar = progress.add_task("picking", total=episodes)
@@ -67,7 +72,9 @@ def pick(episodes: int, seed: int, workers: int, perception: Perception, as_json
                 what = f"{episode.item} to {episode.container}, scene seed {episode.seed}"
                 progress.console.print(f"{what}: {episode.failure}", highlight=False)
 
-        report = bench_pick(episodes, seed, perception=perception, workers=workers, on_episode=tell)
+        report = bench_pick(
+            episodes, seed, robot=robot, perception=perception, workers=workers, on_episode=tell
+        )
     click.echo(json.dumps(dataclasses.asdict(report)) if as_json else _text(report))
 
 
@@ -152,6 +159,7 @@ def _text(report: PickReport) -> str:
     seen = f"cameras, noise {1000 * seeing.noise:.1f} mm, confusion {seeing.confusion:.0%}"
     lines = [
         f"episodes            {report.episodes} (seed {report.seed})",
+        f"robot               {report.robot}",
         f"perception          {seen if seeing.source == 'cameras' else 'privileged'}",
         f"success             {rate(report.success, report.success_interval)}",
         f"at first attempt    {rate(report.first_attempt, report.first_attempt_interval)}",

@@ -23,6 +23,7 @@ DEFAULT_URL = "http://127.0.0.1:8000"
     help="JSON file of the scene, as in POST /plans.",
 )
 @click.option("--after", "parent", help="Instead of a scene: the plan this one follows.")
+@click.option("--robot", help="A robot of the catalogue; default the one the scene names.")
 @click.option("--goal", "goals", multiple=True, help="A goal condition; give it several times.")
 @click.option("--seed", default=0, show_default=True, help="Seed of free positions and sampling.")
 @click.option("--planner", help="A planner of the catalogue; default the one best in the world.")
@@ -42,6 +43,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     instruction: str,
     scene: Path | None,
     parent: str | None,
+    robot: str | None,
     goals: tuple[str, ...],
     seed: int,
     planner: str | None,
@@ -55,6 +57,8 @@ def command(  # noqa: PLR0913 - one parameter per option
     """Plan INSTRUCTION in a scene and carry it out, telling every step."""
     if (scene is None) == (parent is None):
         raise click.UsageError("give either --scene or --after")
+    if robot and parent:
+        raise click.UsageError("a plan that follows another has its robot; leave --robot out")
     request: dict[str, Any] = {
         **(_read_scene(scene) if scene else {"parent": parent}),
         "instruction": instruction,
@@ -62,6 +66,8 @@ def command(  # noqa: PLR0913 - one parameter per option
         "execute": not no_execute,
         "planner": {"model": model, **_switches(switches)},
     }
+    if robot:
+        request["scene"]["robot"] = robot
     if planner:
         request["planner"]["name"] = planner
     if goals:

@@ -6,6 +6,8 @@ from app.cli.client import ServiceClient
 from app.domain.errors import ProgPromptError
 from app.robots.playback import trajectory_of
 from app.robots.websocket import WebSocketRobot
+from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
+from app.worlds.tabletop import Tabletop
 
 
 @click.group()
@@ -27,11 +29,15 @@ def send(
 ) -> None:
     """Stream the arm's motion of EXECUTION_ID, checked against speed, force and workspace limits."""
     with ServiceClient(service) as client:
+        scene = client.get(f"/executions/{execution_id}")["scene"]
         packed, width = client.frames(execution_id)
-    robot = WebSocketRobot(url, live=live, patience=patience)
+    if scene["world"] != Tabletop.name:
+        raise click.ClickException("only what was carried out on the tabletop can be sent")
+    arm = arms[scene["robot"] or DEFAULT_ARM]
+    robot = WebSocketRobot(url, arm, live=live, patience=patience)
     try:
-        carried = robot.execute(trajectory_of(packed, width, grip_force=grip_force))
+        carried = robot.execute(trajectory_of(packed, width, arm, grip_force=grip_force))
     except ProgPromptError as error:
         raise click.ClickException(str(error)) from error
     done = "sent" if carried.live else "checked, not sent (--live sends)"
-    click.echo(f"{carried.points} points over {carried.duration:.1f} s: {done}")
+    click.echo(f"{arm.title}: {carried.points} points over {carried.duration:.1f} s: {done}")

@@ -1,4 +1,4 @@
-"""Asset: a client's own mesh, taken in once and then a kind of object in any scene."""
+"""Asset: a client's own mesh or body, taken in once and then a kind of object in any scene."""
 
 from dataclasses import dataclass
 
@@ -17,8 +17,8 @@ class Asset:
     colour: str
     """A CSS colour name or ``#rrggbb``."""
     density: float
-    """Of its convex parts [kg/m³]."""
+    """Of what of it collides [kg/m³]."""
     size: tuple[float, float, float]
     """Length, width, height of the bounding box [m]."""
     shape: bytes
-    """The mesh and its convex parts, as the simulator packs them."""
+    """What is seen of it and what collides, as the simulator packs them."""

@@ -44,6 +44,8 @@ class Scene:
     """One of the world's ready-made environments, where it has any."""
     graph: str | None = None
     """An environment of the client's own as JSON, where the world takes one: nodes and edges."""
+    robot: str | None = None
+    """The arm that works there, by name, where the world has one; None for its usual one."""
     agent: str | None = None
     """What conditions call the one who acts, where the world tells of it: ``character``."""
     names: tuple[str, ...] = field(init=False, default=())

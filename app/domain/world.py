@@ -33,6 +33,18 @@ class ObjectKind:
     colour: str
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RobotKind:
+    """A robot that a scene of a world can name."""
+
+    name: str
+    title: str
+    joints: int
+    """Of its arm."""
+    default: bool
+    """Whether it works where a scene names none."""
+
+
 class World(Protocol):
     """One scene standing ready, or in the middle of being worked on."""
 
@@ -96,6 +108,9 @@ class WorldDescription(Protocol):
     """Whether its example programs hold assertions unless asked otherwise, as in the paper."""
     planner: str
     """Name of the planner that does best in it."""
+
+    robots: tuple[RobotKind, ...]
+    """Those a scene can name; none where who acts is no robot arm."""
 
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""

@@ -6,7 +6,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -17,6 +17,7 @@ from app.domain.perception import Perception
 from app.domain.scene import Scene, SceneObject
 from app.domain.world import ObjectKind
 from app.evaluation.intervals import wilson
+from app.worlds.simulators.mujoco.arms import DEFAULT_ARM
 from app.worlds.simulators.mujoco.objects import kinds
 from app.worlds.tabletop import Tabletop
 
@@ -52,6 +53,7 @@ class PickReport:
 
     episodes: int
     seed: int
+    robot: str
     perception: Perception
     success: float
     success_interval: tuple[float, float]
@@ -74,6 +76,7 @@ def bench_pick(
     episodes: int,
     seed: int,
     *,
+    robot: str | None = None,
     perception: Perception = CAMERAS,
     workers: int = 1,
     on_episode: Callable[[Episode], None] = lambda _: None,
@@ -83,22 +86,23 @@ def bench_pick(
     Args:
         episodes: how many; episode k depends on the seed and on k alone.
         seed: of everything that is drawn.
+        robot: which arm picks; None for the usual one.
         perception: what the robot is told of the objects.
         workers: processes to spread them over.
         on_episode: told each result as it comes in, in order.
     """
     results: list[Episode] = []
     tasks = [(seed, index) for index in range(episodes)]
-    for result in _results(tasks, perception, workers):
+    for result in _results(tasks, robot, perception, workers):
         results.append(result)
         on_episode(result)
-    return _report(results, seed, perception)
+    return _report(results, seed, robot or DEFAULT_ARM, perception)
 
 
 def _results(
-    tasks: list[tuple[int, int]], perception: Perception, workers: int
+    tasks: list[tuple[int, int]], robot: str | None, perception: Perception, workers: int
 ) -> Iterator[Episode]:
-    run = partial(run_episode, perception=perception)
+    run = partial(run_episode, robot=robot, perception=perception)
     if workers == 1:
         yield from map(run, tasks)
         return
@@ -107,10 +111,13 @@ def _results(
         yield from pool.map(run, tasks)
 
 
-def run_episode(task: tuple[int, int], perception: Perception = CAMERAS) -> Episode:
+def run_episode(
+    task: tuple[int, int], robot: str | None = None, perception: Perception = CAMERAS
+) -> Episode:
     """The episode of (seed, index)."""
     rng = np.random.default_rng(task)
     scene, seed = _draw_scene(rng)
+    scene = replace(scene, robot=robot)
     item, container = scene.names[:2]
     started_cpu = time.process_time()
     world = TABLETOP.open(scene, seed, perception)
@@ -164,7 +171,7 @@ def _is_wide(kind: ObjectKind) -> bool:
     return kind.container and not lidded and min(kind.size[:2]) >= SMALLEST_CONTAINER
 
 
-def _report(results: list[Episode], seed: int, perception: Perception) -> PickReport:
+def _report(results: list[Episode], seed: int, robot: str, perception: Perception) -> PickReport:
     total = len(results)
     succeeded = [result for result in results if result.failure is None]
     first = [result for result in succeeded if result.attempts == 1]
@@ -173,6 +180,7 @@ def _report(results: list[Episode], seed: int, perception: Perception) -> PickRe
     return PickReport(
         episodes=total,
         seed=seed,
+        robot=robot,
         perception=perception,
         success=len(succeeded) / max(1, total),
         success_interval=wilson(len(succeeded), total),

@@ -68,7 +68,7 @@ def _timed(episodes: int, seed: int, workers: int, perception: Perception) -> tu
         max_workers=workers, mp_context=context, initializer=_warm_up, initargs=(start,)
     ) as pool:
         tasks = [(seed, index) for index in range(episodes)]
-        running = [pool.submit(run_episode, task, perception) for task in tasks]
+        running = [pool.submit(run_episode, task, perception=perception) for task in tasks]
         start.wait()
         started = time.perf_counter()
         simulated = sum(future.result().sim_seconds for future in running)

@@ -151,6 +151,7 @@ def _scene(entry: dict[str, Any]) -> Scene:
         objects=tuple(_object(item) for item in (*scene.get("objects", ()), *named)),
         actions=None if actions is None else tuple(actions),
         environment=scene.get("environment"),
+        robot=scene.get("robot"),
     )
 
 

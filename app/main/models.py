@@ -1,7 +1,21 @@
 """What the settings say about language models."""
 
 from app.llm.models import Endpoint, LlmConfig
+from app.llm.vision import VisionEndpoint
 from app.settings import Settings
+
+
+def vision_endpoint(settings: Settings) -> VisionEndpoint | None:
+    """The vision model, if there is one."""
+    if not settings.vision_url:
+        return None
+    return VisionEndpoint(
+        Endpoint(
+            base_url=settings.vision_url,
+            model=settings.vision_model or "default",
+            key=settings.vision_key,
+        )
+    )
 
 
 def llm_config(settings: Settings) -> LlmConfig:

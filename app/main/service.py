@@ -24,6 +24,7 @@ def create_service(settings: Settings) -> FastAPI:
         jobs=jobs,
         llm=llm_config(settings),
         default_model=settings.model,
+        vision=bool(settings.vision_url),
     )
     furnish(settings, database)
     viewer = Viewer(lambda execution_id: StoredRollout(database, execution_id))

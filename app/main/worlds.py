@@ -1,5 +1,6 @@
 """What the settings and the database say about worlds."""
 
+from app.main.models import vision_endpoint
 from app.settings import Settings
 from app.storage.assets import lookup
 from app.storage.database import Database
@@ -11,7 +12,8 @@ from app.worlds.tabletop import Tabletop
 def furnish(settings: Settings, database: Database) -> None:
     """Load the worlds, now rather than at the first request.
 
-    The household gets the homes of the settings, the tabletop the assets of the database.
+    The household gets the homes of the settings, the tabletop the assets of the database
+    and the vision model.
     """
     household = worlds["household"]
     assert isinstance(household, Household)
@@ -19,3 +21,4 @@ def furnish(settings: Settings, database: Database) -> None:
     tabletop = worlds["tabletop"]
     assert isinstance(tabletop, Tabletop)
     tabletop.assets(lookup(database))
+    tabletop.look_with(vision_endpoint(settings))

@@ -1,25 +1,17 @@
-"""Limits: what the Panda may do, and whether a trajectory keeps to it."""
+"""Limits: whether a trajectory keeps to what an arm may do."""
 
+from collections.abc import Callable
 from itertools import pairwise
 
-import frankik
 import numpy as np
 from numpy.typing import NDArray
 
 from app.domain.robot import JointTrajectory, RobotLimits, TrajectoryRefused
 
 Array = NDArray[np.float64]
+Forward = Callable[[Array], Array]
+"""From joint angles, shape (n,) [rad], to the tool's pose in the base frame, shape (4, 4) [m]."""
 
-PANDA = RobotLimits(
-    lowest=(-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973),
-    highest=(2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973),
-    speed=(2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61),
-    opening=0.08,
-    grip_force=70.0,
-    contact_force=40.0,
-    workspace=((-0.10, -0.80, -0.005), (0.90, 0.80, 1.00)),
-)
-"""From the maker's data sheet; the workspace is the table and what is above it."""
 SLACK = 0.002
 """What a measured angle [rad] or opening [m] may be beyond its range by noise."""
 STRIDE = 0.05
@@ -27,7 +19,7 @@ STRIDE = 0.05
 MAX_POINTS = 100_000
 
 
-def check(trajectory: JointTrajectory, limits: RobotLimits) -> None:
+def check(trajectory: JointTrajectory, limits: RobotLimits, forward: Forward) -> None:
     """Let a trajectory pass that keeps to all limits, its ways between the points too.
 
     Raises:
@@ -42,7 +34,7 @@ def check(trajectory: JointTrajectory, limits: RobotLimits) -> None:
     if len(wrong):
         at = f"{openings[wrong[0]]:.3f} m at {times[wrong[0]]:.2f} s"
         raise TrajectoryRefused("opening", f"is {at}; it is from 0 to {limits.opening:.3f} m")
-    _check_workspace(times, joints, limits)
+    _check_workspace(times, joints, limits, forward)
 
 
 def _arrays(trajectory: JointTrajectory, width: int) -> tuple[Array, Array, Array]:
@@ -81,12 +73,12 @@ def _check_joints(times: Array, joints: Array, limits: RobotLimits) -> None:
         raise TrajectoryRefused("speed", f"is broken by {where}; at most {most} is allowed")
 
 
-def _check_workspace(times: Array, joints: Array, limits: RobotLimits) -> None:
+def _check_workspace(times: Array, joints: Array, limits: RobotLimits, forward: Forward) -> None:
     low, high = np.array(limits.workspace)
     for index, (start, end) in enumerate(pairwise(joints)):
         steps = int(np.ceil(np.abs(end - start).max() / STRIDE)) or 1
         for share in np.linspace(0.0, 1.0, steps + 1):
-            tip = np.asarray(frankik.fk(start + share * (end - start)))[:3, 3]
+            tip = forward(start + share * (end - start))[:3, 3]
             if (tip < low).any() or (tip > high).any():
                 x, y, z = (round(float(value), 3) for value in tip)
                 where = f"the finger tips at ({x}, {y}, {z}) m, {times[index]:.2f} s"

@@ -2,15 +2,15 @@
 
 Every message is one JSON object with a ``type``. Units are [s], [rad], [m], [N]. The driver sends:
 
-- ``{"type": "hello", "protocol": 1, "joints": 7, "speed": […], "workspace": [[x, y, z], [x, y, z]],
+- ``{"type": "hello", "protocol": 1, "joints": n, "speed": […], "workspace": [[x, y, z], [x, y, z]],
   "grip_force": F, "contact_force": F}`` once, with the limits the peer is to enforce as well;
 - ``{"type": "trajectory", "points": n, "duration": T, "grip_force": F}``;
-- ``{"type": "points", "first": i, "times": […], "positions": [[…7], …], "openings": […]}``, up to
+- ``{"type": "points", "first": i, "times": […], "positions": [[…n], …], "openings": […]}``, up to
   ``CHUNK`` points each, the next one only when the one before is accepted;
 - ``{"type": "end"}`` after the last point;
 - ``{"type": "stop", "reason": "…"}`` at any time: hold still at once; nothing follows.
 
-The peer answers ``hello`` with ``{"type": "ready", "positions": […7]}``, where its joints are now;
+The peer answers ``hello`` with ``{"type": "ready", "positions": […n]}``, where its joints are now;
 ``points`` with ``{"type": "accepted", "until": i}``, ``i`` the index after the last point it took;
 ``end`` with ``{"type": "done"}`` once it stands at the last point, and until then at least every
 ``patience`` seconds with ``{"type": "moving", "time": t}``. Any of these may carry ``"force": F``,
@@ -34,7 +34,8 @@ from app.domain.robot import (
     RobotStopped,
     TrajectoryRefused,
 )
-from app.robots.limits import PANDA, check
+from app.robots.arm_model import ArmModel
+from app.robots.limits import check
 
 PROTOCOL = 1
 CHUNK = 32
@@ -50,20 +51,23 @@ class WebSocketRobot:
     def __init__(
         self,
         url: str,
+        arm: ArmModel,
         *,
         live: bool = False,
-        limits: RobotLimits = PANDA,
+        limits: RobotLimits | None = None,
         patience: float = 2.0,
     ) -> None:
         """Connect to nothing yet.
 
         Args:
             url: of the peer, ``ws://…`` or ``wss://…``.
+            arm: which arm it is.
             live: send; else trajectories are checked and recorded only.
-            limits: enforced here before anything is sent.
+            limits: enforced here before anything is sent; None for the arm's own.
             patience: the longest silence of the peer [s].
         """
-        self.limits = limits
+        self.limits = limits or arm.limits
+        self._arm = arm
         self.recorded: list[JointTrajectory] = []
         """Those that were let through, in order."""
         self._url = url
@@ -77,7 +81,7 @@ class WebSocketRobot:
             TrajectoryRefused: it breaks a limit, or does not begin where the arm is.
             RobotStopped: the peer cannot be reached, is silent, presses too hard or gave up.
         """
-        check(trajectory, self.limits)
+        check(trajectory, self.limits, self._arm.forward)
         self.recorded.append(trajectory)
         if self._live:
             self._send(trajectory)

@@ -54,6 +54,7 @@ class Household:
         for name in (*PAPER, *(name for name in primitives if name not in PAPER))
     )
     default_actions = PAPER
+    robots = ()
 
     def __init__(self) -> None:
         self.folder = SHIPPED
@@ -103,6 +104,9 @@ class Household:
             for index, item in enumerate(scene.objects)
             if item.name not in described
         ]
+        if scene.robot is not None:
+            message = "is no choice here: a character acts in a home; leave it out"
+            faults.append(Fault(field="scene.robot", message=message))
         if faults:
             raise SceneRefused(*faults)
         chosen = [described[item.name] for item in scene.objects] or described.values()

@@ -1,4 +1,4 @@
-"""Tabletop: a table of objects and a Franka Panda, in MuJoCo."""
+"""Tabletop: a table of objects and a robot arm, in MuJoCo."""
 
 import struct
 from collections.abc import Callable, Iterator
@@ -8,19 +8,24 @@ import numpy as np
 
 from app.domain.asset import Asset
 from app.domain.condition import Relation
-from app.domain.errors import ActionFailure
-from app.domain.perception import Perception
+from app.domain.errors import ActionFailure, Fault, Refused
+from app.domain.perception import NO_VISION, Perception
 from app.domain.program import Argument
 from app.domain.scene import Scene
+from app.domain.sighting import Finder
 from app.domain.trace import Frame
-from app.domain.world import ObjectKind, Stage, World
+from app.domain.world import ObjectKind, RobotKind, Stage, World
 from app.worlds import worlds
 from app.worlds.actions.tabletop import actions as primitives
+from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
+from app.worlds.simulators.mujoco.detector import Detector
 from app.worlds.simulators.mujoco.objects import kinds
 from app.worlds.simulators.mujoco.physics import Physics
+from app.worlds.simulators.mujoco.picture import Pictures
 from app.worlds.simulators.mujoco.placement import complete
 from app.worlds.simulators.mujoco.relations import RELATIONS, Relations
 from app.worlds.simulators.mujoco.scene_builder import BuiltScene, build
+from app.worlds.simulators.mujoco.vision import Vision
 from app.worlds.simulators.mujoco.workcell import Workcell
 from app.worlds.simulators.symbolic import SymbolicWorld
 
@@ -41,6 +46,14 @@ class Tabletop:
     actions = tuple(action.signature for action in primitives.values())
     default_actions: tuple[str, ...] = ("grab_and_putin",)
 
+    robots = tuple(
+        RobotKind(name=name, title=arm.title, joints=arm.joints, default=name == DEFAULT_ARM)
+        for name, arm in arms.items()
+    )
+
+    def __init__(self) -> None:
+        self._finder: Finder | None = None
+
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""
         return tuple(kind.entry() for kind in kinds.values())
@@ -48,6 +61,10 @@ class Tabletop:
     def assets(self, find: Callable[[str], Asset | None]) -> None:
         """Look up by ``find`` the meshes that scenes name as ``asset:<id>``."""
         kinds.assets.search(find)
+
+    def look_with(self, finder: Finder | None) -> None:
+        """Let the detector ``vision`` ask this one; with None there is none."""
+        self._finder = finder
 
     def complete(self, scene: Scene, seed: int) -> Scene:
         """The scene with kinds, sizes, colours and places for all objects."""
@@ -57,7 +74,9 @@ class Tabletop:
         self, scene: Scene, seed: int, perception: Perception = DEFAULT_PERCEPTION
     ) -> "TabletopWorld":
         """The scene in physics, settled, at time 0; its robot sees as ``perception`` tells."""
-        return TabletopWorld(complete(scene, seed), seed, perception)
+        if perception.detector == "vision" and self._finder is None:
+            raise Refused(Fault(field="perception.detector", message=NO_VISION))
+        return TabletopWorld(complete(scene, seed), seed, perception, self._finder)
 
     def open_perfect(self, scene: Scene, seed: int, state: bytes | None = None) -> World:
         """The scene's facts as it is described, or as it was saved, without a step of physics."""
@@ -78,11 +97,21 @@ class TabletopWorld:
     actions went before, so that a restored world goes on as it would have.
     """
 
-    def __init__(self, scene: Scene, seed: int, perception: Perception) -> None:
+    def __init__(
+        self, scene: Scene, seed: int, perception: Perception, finder: Finder | None = None
+    ) -> None:
         self.scene = scene
         self._seed = seed % 2**63
         self._performed = 0
-        self._cell = Workcell.over(build(scene, visuals=False), perception, self._seed)
+
+        def seeing(physics: Physics) -> Detector:
+            assert finder is not None
+            pictures = Pictures(physics, lambda: build(scene).model)
+            return Vision(physics, pictures, finder, scene.names)
+
+        detecting = seeing if perception.detector == "vision" else None
+        built = build(scene, visuals=False)
+        self._cell = Workcell.over(built, perception, self._seed, detecting)
         self.physics = self._cell.physics
         self.physics.begin()
 

@@ -16,6 +16,8 @@ export class SceneEditor {
     this.select = byId("ready-scene");
     this.list = byId("object-list");
     this.json = byId("scene-json");
+    this.robot = byId("robot");
+    this.robot.addEventListener("change", () => this.let(this.robot.value));
     this.select.addEventListener("change", () => this.pick(this.select.value));
     byId("add-object").addEventListener("click", () => this.add());
     byId("toggle-json").addEventListener("click", () => this.toggle());
@@ -32,6 +34,9 @@ export class SceneEditor {
       h("option", { value: OWN }, "My own scene"),
     );
     this.kinds = (await get("/catalog/objects").catch(() => ({ items: [] }))).items;
+    const robots = (await get("/catalog/robots").catch(() => ({ items: [] }))).items;
+    this.usual = robots.find((robot) => robot.default)?.name ?? "";
+    this.robot.replaceChildren(...robots.map((robot) => h("option", { value: robot.name }, robot.title)));
     const kept = recall("ready", names[0]);
     if (this.scene === null) this.pick(names[0]);
     else this.show(this.ready.has(kept) ? kept : OWN);
@@ -57,10 +62,19 @@ export class SceneEditor {
         name, ...(kind && { kind }), ...(category && { category }), ...(colour && { colour }), ...(container && { container }),
         ...(Object.keys(properties ?? {}).length && { properties }),
       }));
-      this.scene = { world: scene.world, objects, ...(scene.actions && { actions: scene.actions }) };
+      const robot = scene.robot && scene.robot !== this.usual && { robot: scene.robot };
+      this.scene = { world: scene.world, ...robot, objects, ...(scene.actions && { actions: scene.actions }) };
     }
     this.keep(OWN);
     this.show(OWN);
+  }
+
+  /** Let this robot work in the scene, whichever it is; the usual one need not be named. */
+  let(robot) {
+    delete this.scene.robot;
+    if (robot !== this.usual) this.scene = { ...this.scene, robot };
+    this.keep(this.select.value);
+    this.show(this.select.value);
   }
 
   keep(name) {
@@ -80,6 +94,8 @@ export class SceneEditor {
     const home = this.scene.environment;
     byId("scene-legend").textContent = home ? "In the home" : "On the table";
     byId("add-object").hidden = Boolean(home) || !this.json.hidden;
+    byId("robot-field").hidden = (this.scene.world ?? "tabletop") !== "tabletop" || this.robot.options.length < 2;
+    this.robot.value = this.scene.robot ?? this.usual;
     if (home) this.list.replaceChildren(h("li", { class: "hint whole" }, `Everything in the home “${home}”.`));
     else this.list.replaceChildren(...this.objects().map((object, index) => this.entry(object, index)));
     this.json.value = JSON.stringify(this.scene, null, 1);

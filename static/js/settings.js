@@ -17,6 +17,8 @@ const SWITCHES = [
   { name: "constrained", label: "Only names of this scene (grammar)", field: "planner.constrained", standard: true },
   { name: "repair", label: "Add steps that a precondition calls for", field: "planner.repair", standard: false },
   { name: "temperature", label: "Temperature", field: "planner.temperature", standard: 0, min: 0, max: 2, step: 0.1 },
+  { name: "detector", label: "Objects in the cameras' pictures are told by", field: "perception.detector", standard: "segmentation", options: [["segmentation", "the simulator"], ["vision", "a vision model"]] },
+  { name: "confusion", label: "Share of objects taken for another", field: "perception.confusion", standard: 0, min: 0, max: 1, step: 0.1 },
   { name: "seed", label: "Seed", field: "seed", standard: 0, min: 0, max: 4294967295, step: 1 },
   { name: "execute", label: "Carry it out", field: "execute", standard: true },
   { name: "approval", label: "Ask me before it is carried out", field: "approval", standard: false },
@@ -78,15 +80,15 @@ export class Settings {
 
   /** The parts of the request that differ from the defaults. */
   request() {
-    const planner = {};
     const request = {};
     for (const one of SWITCHES) {
       const value = this.sent(one);
       if (value === undefined) continue;
-      const [place, name] = one.field.startsWith("planner.") ? [planner, one.field.slice(8)] : [request, one.field];
-      place[name] = value;
+      const [part, name] = one.field.split(".");
+      if (name) request[part] = { ...request[part], [name]: value };
+      else request[part] = value;
     }
-    return { ...request, ...(Object.keys(planner).length && { planner }) };
+    return request;
   }
 
   sent(one) {

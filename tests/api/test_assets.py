@@ -111,3 +111,30 @@ def test_wrong_words_about_a_mesh_are_refused(standing, problem_of):
 def test_a_file_of_more_than_twenty_megabytes_is_refused_at_once(standing, problem_of):
     answer = standing.post("/assets", content=np.zeros(20_000_001, np.int8).tobytes(), headers=STL)
     assert problem_of(answer, 413)["errors"][0]["field"] == "body"
+
+
+def test_a_body_of_ones_own_in_mjcf_is_put_into_a_bowl(
+    client, plan_it, carry_out, shelf, request_body, problem_of
+):
+    body = (
+        '<mujoco><worldbody><body><geom type="box" size="0.02 0.015 0.02" rgba="0 1 0 1" mass="0.03"/>'
+        '<geom type="sphere" size="0.012" pos="0 0 0.03" mass="0.01"/></body></worldbody></mujoco>'
+    )
+    media = {"Content-Type": "application/xml"}
+    answer = client.post("/assets", content=body, headers=media, params={"name": "pawn"})
+    assert answer.status_code == 201, answer.text
+    asset = answer.json()
+    assert (asset["parts"], asset["graspable"]) == (2, True)
+    assert asset["mass"] == pytest.approx(0.04)
+    again = client.post("/assets", content=body, headers=media, params={"name": "pawn"})
+    assert (again.status_code, again.json()["id"]) == (200, asset["id"])
+    scene = {"objects": [{"name": "banana", "kind": asset["kind"]}, {"name": "bowl"}]}
+    plan = client.post("/plans", json={**request_body, "scene": scene}).json()
+    plan_it(plan["id"])
+    [execution_id] = client.get(f"/plans/{plan['id']}").json()["executions"]
+    carry_out(execution_id)
+    execution = client.get(f"/executions/{execution_id}").json()
+    assert execution["scores"]["sr"] == 1.0, execution
+    spoilt = body.replace("<worldbody>", "<worldbody><light/>")
+    refused = problem_of(client.post("/assets", content=spoilt, headers=media), 422)
+    assert "<light>" in refused["errors"][0]["message"]

@@ -5,7 +5,7 @@ import pytest
 from app.storage import workers
 from app.storage.workers import WorkerRow
 
-CATALOGUES = ("worlds", "objects", "actions", "models", "planners")
+CATALOGUES = ("worlds", "objects", "actions", "models", "planners", "robots")
 
 
 def test_every_operation_is_described_and_answers_problems_with_documents(standing):

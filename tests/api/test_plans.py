@@ -155,6 +155,18 @@ def test_a_stored_scene_can_be_planned_in(client, request_body):
     assert [item["name"] for item in plan["scene"]["objects"]] == ["banana", "bowl"]
 
 
+def test_a_scene_may_name_its_robot_and_else_has_the_usual_one(client, request_body, problem_of):
+    def posted(**robot):
+        scene = request_body["scene"] | {"world": "tabletop"} | robot
+        return client.post("/plans", json=request_body | {"scene": scene})
+
+    assert posted().json()["scene"]["robot"] == "panda"
+    assert posted(robot="ur5e").json()["scene"]["robot"] == "ur5e"
+    problem = problem_of(posted(robot="c3po"), 422)
+    assert problem["errors"][0]["field"] == "scene.robot"
+    assert "panda, ur5e" in problem["errors"][0]["message"]
+
+
 def test_plans_can_be_listed_by_status(client, request_body, executed):
     queued = client.post("/plans", json=request_body).json()["id"]
     listed = client.get("/plans", params={"status": "queued"}).json()["items"]
@@ -177,3 +189,13 @@ def test_lists_come_in_parts_newest_first(client, request_body, path):
         if cursor is None:
             break
     assert seen == made[::-1]
+
+
+def test_a_vision_model_that_is_not_there_cannot_be_the_detector(client, request_body, problem_of):
+    asked = request_body | {"perception": {"detector": "vision"}}
+    problem = problem_of(client.post("/plans", json=asked), 422)
+    assert problem["errors"][0]["field"] == "perception.detector"
+    assert "PROGPROMPT_VISION_URL" in problem["errors"][0]["message"]
+    asked = request_body | {"perception": {"detector": "vision", "source": "privileged"}}
+    problem = problem_of(client.post("/plans", json=asked), 422)
+    assert "only cameras have one" in problem["errors"][0]["message"]

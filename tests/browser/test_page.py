@@ -115,6 +115,29 @@ def test_plan_is_there_after_a_restart_and_can_be_scrubbed(open_page, finished, 
     seek(page, 1.0)
 
 
+def test_the_other_robot_can_be_chosen_and_does_the_same(open_page):
+    page = open_page()
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    page.get_by_label("Robot", exact=True).select_option("ur5e")
+    page.get_by_label("What should the robot do?").fill(SENTENCE)
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(status(page)).to_have_text("Succeeded")
+    expect(page.locator("iframe.picture")).to_be_visible()
+    page.get_by_label("Scene", exact=True).select_option("juice-by-the-bed")
+    expect(page.get_by_label("Robot", exact=True)).to_be_hidden()
+
+
+def test_a_vision_model_that_is_not_there_is_said_where_it_was_chosen(open_page):
+    page = open_page()
+    page.get_by_label("What should the robot do?").fill(SENTENCE)
+    page.get_by_text("Settings").click()
+    page.get_by_label("pictures are told by").select_option("vision")
+    page.get_by_label("Share of objects").fill("0.5")
+    page.get_by_role("button", name="Run", exact=True).click()
+    field = page.locator('[data-field="perception.detector"]')
+    expect(field).to_contain_text("PROGPROMPT_VISION_URL")
+
+
 def test_what_was_typed_survives_a_reload(open_page):
     page = open_page()
     page.get_by_role("button", name="Add an object").click()

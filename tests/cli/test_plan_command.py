@@ -36,3 +36,9 @@ def test_a_scene_file_that_is_no_object_is_refused(run):
     result = run("[]")
     assert result.exit_code == 1
     assert "should hold a JSON object" in result.output
+
+
+def test_a_robot_cannot_be_changed_in_the_middle_of_a_dialogue():
+    result = CliRunner().invoke(command, ["now the other", "--after=pl_1", "--robot=ur5e"])
+    assert result.exit_code == 2
+    assert "leave --robot out" in result.output

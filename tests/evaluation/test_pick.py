@@ -57,8 +57,15 @@ def test_the_command_takes_how_the_robot_sees():
     arguments = ["pick", "--episodes", "1", "--seed", "5", "--noise", "1", "--confusion", "0.5"]
     result = CliRunner().invoke(command, [*arguments, "--json"])
     assert result.exit_code == 0, result.output
-    seen = {"source": "cameras", "noise": 0.001, "confusion": 0.5}
+    seen = {"source": "cameras", "noise": 0.001, "detector": "segmentation", "confusion": 0.5}
     assert json.loads(result.stdout)["perception"] == seen
+
+
+def test_the_command_takes_which_robot_picks():
+    arguments = ["pick", "--episodes", "1", "--seed", "5", "--robot", "ur5e", "--json"]
+    result = CliRunner().invoke(command, arguments)
+    assert result.exit_code == 0, result.output
+    assert json.loads(result.stdout)["robot"] == "ur5e"
 
 
 def test_the_command_prints_one_json_object():

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from app.domain.scene import SceneObject
+from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 from app.worlds.simulators.mujoco.kind import GRIPPER
 from app.worlds.simulators.mujoco.objects import kinds, match
 from app.worlds.simulators.mujoco.physics import FRICTION_STIFFNESS
@@ -50,7 +51,7 @@ def built(name: str, extreme: str = "largest", *, opened: bool = False):
     add_object(spec, "object/0", item, visuals=True)
     model = spec.compile()
     body = located(model, "object/0", item, shut=not opened)
-    return item, BuiltScene(model=model, bodies={name: body})
+    return item, BuiltScene(model=model, bodies={name: body}, arm=arms[DEFAULT_ARM])
 
 
 def started(name: str, extreme: str, *, opened: bool = False):

@@ -7,7 +7,7 @@ import pytest
 from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.domain.perception import Perception
-from app.worlds.simulators.mujoco.kinematics import HOME, inverse
+from app.worlds.simulators.mujoco.arms import arms
 from app.worlds.simulators.mujoco.outline import KnownOutlines, SeenOutlines
 from app.worlds.simulators.mujoco.scene_builder import build
 from app.worlds.simulators.mujoco.workcell import Workcell
@@ -30,7 +30,8 @@ def cell_of(tabletop, scene_of):
 def pointing_down(x, y, z):
     tool = np.diag([1.0, -1.0, -1.0, 1.0])
     tool[:3, 3] = x, y, z
-    return inverse(tool, HOME)[0]
+    arm = arms["panda"]
+    return arm.inverse(tool, arm.home)[0]
 
 
 def test_noisy_clouds_lie_within_millimetres_of_the_true_surface(cell_of):

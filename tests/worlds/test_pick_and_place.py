@@ -4,7 +4,6 @@ import pytest
 from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.worlds.simulators.mujoco.cameras import Cloud
-from app.worlds.simulators.mujoco.kinematics import HOME
 from app.worlds.simulators.mujoco.picking import Picking
 from app.worlds.simulators.mujoco.scene_builder import build
 from app.worlds.simulators.mujoco.workcell import Workcell
@@ -18,7 +17,7 @@ def names(stages):
 
 def assert_safe(world):
     """The arm is at home and the gripper open."""
-    assert abs(world.physics.joints - HOME).max() < 0.02
+    assert abs(world.physics.joints - world.physics.arm.home).max() < 0.02
     assert world.physics.opening > 0.03
 
 
@@ -126,7 +125,8 @@ def test_what_lies_flat_on_the_table_has_no_grasp(tabletop, scene_of):
     cell = Workcell.over(build(tabletop.complete(scene_of(block=(0.5, 0.2)), 0)))
     grid = np.stack(np.meshgrid(*[np.linspace(0.4, 0.5, 20)] * 2, [0.001]), axis=-1)
     sheet = Cloud(grid.reshape(-1, 3), np.tile([0.0, 0.0, 1.0], (400, 1)))
-    picking = Picking(cell.collisions, HOME, np.array([0.5, -0.2, 0.05]), np.random.default_rng(0))
+    home = cell.physics.arm.home
+    picking = Picking(cell.collisions, home, np.array([0.5, -0.2, 0.05]), np.random.default_rng(0))
     with pytest.raises(ActionFailure, match="no grasp found") as failure:
         picking.choose("sheet", sheet, banned=())
     assert failure.value.stage == "grasp"

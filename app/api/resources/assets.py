@@ -1,4 +1,4 @@
-"""Assets: clients' own meshes, for scenes to name by `"kind": "asset:<id>"`."""
+"""Assets: clients' own meshes and MJCF bodies, for scenes to name by `"kind": "asset:<id>"`."""
 
 import hashlib
 from typing import Annotated, Any, Literal
@@ -25,12 +25,15 @@ FORMATS: dict[str, Format] = {
     "model/obj": "obj",
     "model/stl": "stl",
     "model/gltf-binary": "glb",
+    "application/xml": "xml",
+    "application/zip": "zip",
 }
 Word = Annotated[Text, Query(min_length=1, max_length=100)]
 BODY: dict[str, Any] = {
     "requestBody": {
         "required": True,
-        "description": "The file: OBJ, STL or GLB, at most 20 MB and 200,000 faces.",
+        "description": "The file: OBJ, STL, GLB, an MJCF body of up to 64 geoms, or a zip of one with "
+        "its meshes; at most 20 MB and 200,000 faces.",
         "content": {name: {"schema": {"type": "string", "format": "binary"}} for name in FORMATS},
     }
 }
@@ -40,7 +43,9 @@ def _format(request: Request) -> Format:
     """Told by the media type."""
     given = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if given not in FORMATS:
-        raise HTTPException(415, f"send a mesh with Content-Type: {', '.join(FORMATS)}")
+        raise HTTPException(
+            415, f"send a mesh, MJCF or a zip with Content-Type: {', '.join(FORMATS)}"
+        )
     return FORMATS[given]
 
 
@@ -49,7 +54,7 @@ async def _body(request: Request) -> bytes:
 
 
 class Described:
-    """What a client says of its mesh, in the query."""
+    """What a client says of its thing, in the query."""
 
     def __init__(
         self,
@@ -57,7 +62,8 @@ class Described:
         category: Annotated[Word | None, Query(description="Default: its name.")] = None,
         colour: Annotated[Word, Query(description="CSS name or `#rrggbb`.")] = "#9aa5b1",
         density: Annotated[
-            float, Query(ge=20, le=20_000, description="Of the solid [kg/m³].")
+            float,
+            Query(ge=20, le=20_000, description="Of the solid [kg/m³]; MJCF says its own."),
         ] = 600.0,
     ) -> None:
         self.name, self.category, self.colour = name, category or name, colour
@@ -98,7 +104,7 @@ def create_asset(
     said: Annotated[Described, Depends()],
     measured: Annotated[Measured, Depends()],
 ) -> AssetShown:
-    """Take a mesh in; the same one with the same words again is the same asset."""
+    """Take a mesh or an MJCF body in; the same one with the same words is the same asset."""
     if parse_colour(said.colour) is None:
         message = f"{said.colour[:40]!r} is no colour; give a CSS name like 'red', or '#d62828'"
         raise AssetRefused(Fault(field="colour", message=message))
@@ -109,12 +115,13 @@ def create_asset(
             response.status_code = 200
             return _shown(known)
     made = digest(data, measured.upload)
+    density = said.density if made.density is None else made.density
     asset = Asset(
         id=asset_id,
         name=said.name,
         category=said.category,
         colour=said.colour,
-        density=said.density,
+        density=density,
         size=made.size,
         shape=made.shape,
     )
@@ -122,7 +129,7 @@ def create_asset(
     with parts.database.transaction() as session:
         known = assets.find(session, asset_id)  # Somebody may have sent it at the same time.
         return _shown(
-            known or assets.add(session, asset, mass=said.density * made.volume, counts=counts)
+            known or assets.add(session, asset, mass=density * made.volume, counts=counts)
         )
 
 

@@ -1,5 +1,6 @@
-"""The catalogue: worlds, objects, actions, models and planners there are."""
+"""The catalogue: worlds, robots, objects, actions, models and planners there are."""
 
+from dataclasses import asdict
 from typing import Annotated, Any
 
 from fastapi import APIRouter, Query
@@ -48,6 +49,12 @@ def list_objects(world: World = "tabletop") -> Page:
         }
         for kind in _world(world).catalogue()
     )
+
+
+@router.get("/robots")
+def list_robots(world: World = "tabletop") -> Page:
+    """The robots a scene of a world can name; `default` marks the one that works unless it does."""
+    return _page(asdict(robot) for robot in _world(world).robots)
 
 
 @router.get("/actions")

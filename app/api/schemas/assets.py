@@ -8,7 +8,7 @@ from app.api.schemas.base import Shown
 
 
 class AssetShown(Shown):
-    """A client's own mesh, ready to stand in scenes."""
+    """A client's own mesh or body, ready to stand in scenes."""
 
     id: str
     kind: str = Field(description="What an object of a scene gives as its `kind`.")
@@ -19,10 +19,10 @@ class AssetShown(Shown):
     size: tuple[float, float, float] = Field(
         description="Length, width, height of its bounding box [m]."
     )
-    density: float = Field(description="Of its convex parts [kg/m³].")
+    density: float = Field(description="Of what of it collides [kg/m³].")
     mass: float = Field(description="[kg]")
     faces: int = Field(description="Triangles that are seen.")
-    parts: int = Field(description="Convex parts that collide.")
+    parts: int = Field(description="Convex parts and primitives that collide.")
     file_bytes: int = Field(description="Of the file that was sent.")
     graspable: bool = Field(
         description="Whether its narrower side fits between the fingers; else it only stands there."

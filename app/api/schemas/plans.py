@@ -81,9 +81,23 @@ class PerceptionGiven(Given):
     noise: float = Field(
         default=0.002, ge=0, le=0.05, description="Standard deviation of a camera's depth [m]."
     )
-    confusion: float = Field(
-        default=0.0, ge=0, le=1, description="The share of objects taken for another one."
+    detector: Literal["segmentation", "vision"] = Field(
+        default="segmentation",
+        description="Who names what the cameras see: the simulator's segmentation, or a vision "
+        "model that finds the objects in pictures by their names (`PROGPROMPT_VISION_URL`).",
     )
+    confusion: float = Field(
+        default=0.0,
+        ge=0,
+        le=1,
+        description="The share of objects taken for another one, in pairs drawn by the seed.",
+    )
+
+    @model_validator(mode="after")
+    def _by_cameras(self) -> Self:
+        if self.detector == "vision" and self.source != "cameras":
+            raise ValueError("detector: only cameras have one; leave it out, or source='cameras'")
+        return self
 
 
 class PlanGiven(Given):

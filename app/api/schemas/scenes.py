@@ -118,6 +118,10 @@ class SceneGiven(Given):
         default=None, description="A household of one's own, in place of a ready-made environment."
     )
 
+    robot: Name | None = Field(
+        default=None, description="A robot of the catalogue; default the world's usual one."
+    )
+
     def to_domain(self) -> Scene:
         """The scene."""
         return Scene(
@@ -125,6 +129,7 @@ class SceneGiven(Given):
             objects=tuple(item.to_domain() for item in self.objects),
             actions=None if self.actions is None else tuple(self.actions),
             environment=self.environment,
+            robot=self.robot,
             graph=None if self.graph is None else self.graph.model_dump_json(exclude_none=True),
         )
 
@@ -156,6 +161,7 @@ class SceneShown(Shown):
     objects: list[ObjectShown]
     actions: list[str] | None
     environment: str | None
+    robot: str | None = None
     graph: dict[str, Any] | None = None
 
     @field_validator("graph", mode="before")

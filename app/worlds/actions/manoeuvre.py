@@ -9,9 +9,7 @@ from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.domain.world import Stage
 from app.worlds.simulators.mujoco.cloud import Cloud
-from app.worlds.simulators.mujoco.kinematics import HOME
 from app.worlds.simulators.mujoco.motion import free_path
-from app.worlds.simulators.mujoco.physics import LARGEST_OPENING
 from app.worlds.simulators.mujoco.picking import CLEARANCE
 from app.worlds.simulators.mujoco.placing import Placing
 from app.worlds.simulators.mujoco.workcell import Workcell
@@ -60,25 +58,26 @@ class Manoeuvre:
 
     def come_home(self) -> Iterator[Stage]:
         """Open the gripper and bring the arm home, whatever state it was left in."""
-        physics, panda = self._cell.physics, self._cell.panda
-        if np.abs(physics.joints - HOME).max() > 0.02:
+        physics, manipulator = self._cell.physics, self._cell.manipulator
+        if np.abs(physics.joints - physics.arm.home).max() > 0.02:
             collisions = self._cell.collisions
             if self._held():
-                yield from self._during("release", panda.open())
+                yield from self._during("release", manipulator.open())
             collisions.recall()
             opening = physics.opening
             path = free_path(
+                physics.arm,
                 physics.joints,
-                HOME,
+                physics.arm.home,
                 lambda q: collisions.find(q, opening, ON_THE_WAY) is not None,
                 self._rng,
             )
-            straight = np.array([physics.joints, HOME])
+            straight = np.array([physics.joints, physics.arm.home])
             yield from self._during(
-                "home", panda.follow(straight if path is None else path, FREE_SPEED)
+                "home", manipulator.follow(straight if path is None else path, FREE_SPEED)
             )
-        if physics.commanded_opening < LARGEST_OPENING:
-            yield from self._during("home", panda.open())
+        if physics.commanded_opening < physics.arm.largest_opening - 1e-9:
+            yield from self._during("home", manipulator.open())
 
     def _go_home_loaded(self, item: str) -> Iterator[Stage]:
         """Bring the arm home with an object in the gripper.
@@ -91,14 +90,15 @@ class Manoeuvre:
         opening = physics.opening
         with collisions.carrying(item):
             path = free_path(
+                physics.arm,
                 physics.joints,
-                HOME,
+                physics.arm.home,
                 lambda q: collisions.find(q, opening, CLEARANCE) is not None,
                 self._rng,
             )
         if path is None:
             raise ActionFailure("home", f"no path home with {item} was found")
-        yield from self._during("home", self._cell.panda.follow(path, CARRY_SPEED))
+        yield from self._during("home", self._cell.manipulator.follow(path, CARRY_SPEED))
         if not self._held():
             raise ActionFailure("home", f"slipped: {item} was lost on the way")
 
@@ -106,9 +106,9 @@ class Manoeuvre:
         """Wait until nothing moves any more, or for ``LONGEST_WAIT``."""
         physics = self._cell.physics
         deadline = physics.time + LONGEST_WAIT
-        yield from self._during("check", self._cell.panda.wait(0.25))
+        yield from self._during("check", self._cell.manipulator.wait(0.25))
         while not physics.resting() and physics.time < deadline:
-            yield from self._during("check", self._cell.panda.wait(0.1))
+            yield from self._during("check", self._cell.manipulator.wait(0.1))
 
     def _placing(self) -> Placing:
         return Placing(self._cell.physics, self._cell.collisions, self._rng)

@@ -48,20 +48,20 @@ class Operating(Manoeuvre):
         raise ActionFailure("check", f"{self._item} is not {self._wanted.name}")
 
     def _haul(self) -> Iterator[Stage]:
-        cell, panda = self._cell, self._cell.panda
+        cell, manipulator = self._cell, self._cell.manipulator
         self._look_at(self._item)
         cell.collisions.refresh()
         handle = Handle(cell.physics, cell.physics.bodies[self._item])
         haul = handle.haul(cell.collisions, GOALS[self._wanted.name], self._rng)
         articulation = cell.physics.bodies[self._item].articulation
         assert articulation is not None
-        yield from self._during("reach", panda.follow(haul.reach, FREE_SPEED))
-        yield from self._during("reach", panda.open(WIDE, 0.15))
-        yield from self._during("approach", panda.trace(haul.lower, CLOSE_SPEED))
+        yield from self._during("reach", manipulator.follow(haul.reach, FREE_SPEED))
+        yield from self._during("reach", manipulator.open(WIDE, 0.15))
+        yield from self._during("approach", manipulator.trace(haul.lower, CLOSE_SPEED))
         squeezed = articulation.thickness / 2 - SQUEEZE
-        yield from self._during("grasp", panda.grip(squeezed, 0.35, 0.2))
-        yield from self._during("haul", panda.trace(haul.along, HAUL_SPEED))
-        yield from self._during("haul", panda.wait(0.1))
-        yield from self._during("release", panda.grip(WIDE, 0.25))
-        yield from self._during("retreat", panda.trace(haul.rise, LIFT_SPEED))
+        yield from self._during("grasp", manipulator.grip(squeezed, 0.35, 0.2))
+        yield from self._during("haul", manipulator.trace(haul.along, HAUL_SPEED))
+        yield from self._during("haul", manipulator.wait(0.1))
+        yield from self._during("release", manipulator.grip(WIDE, 0.25))
+        yield from self._during("retreat", manipulator.trace(haul.rise, LIFT_SPEED))
         self._look_at(self._item)  # The way home leads past a lid that stands up now.

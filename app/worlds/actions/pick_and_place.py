@@ -17,7 +17,6 @@ from app.worlds.actions.manoeuvre import (
 from app.worlds.actions.taking import ATTEMPTS, Taking
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.destination import Destination
-from app.worlds.simulators.mujoco.kinematics import forward
 from app.worlds.simulators.mujoco.picking import Pick
 from app.worlds.simulators.mujoco.placing import Place
 from app.worlds.simulators.mujoco.workcell import Workcell
@@ -105,7 +104,7 @@ class PickAndPlace(Taking):
         yield from self._check()
 
     def _put(self, pick: Pick | None = None) -> Iterator[Stage]:
-        panda = self._cell.panda
+        manipulator = self._cell.manipulator
         try:
             yield self._stage("carry")
             place = self._choose_place()
@@ -113,15 +112,15 @@ class PickAndPlace(Taking):
             if pick is not None:
                 yield from self._put_back(pick)
             raise
-        yield from self._during("carry", panda.follow(place.carry, CARRY_SPEED))
-        yield from self._during("lower", panda.trace(place.lower, LIFT_SPEED))
-        yield from self._during("lower", panda.wait(2 * PAUSE))
+        yield from self._during("carry", manipulator.follow(place.carry, CARRY_SPEED))
+        yield from self._during("lower", manipulator.trace(place.lower, LIFT_SPEED))
+        yield from self._during("lower", manipulator.wait(2 * PAUSE))
         if not self._held():
             raise ActionFailure("carry", f"slipped: {self._item} was lost on the way")
-        opening = panda.grip(place.opening, RELEASE_SECONDS, CLOSING_SECONDS)
+        opening = manipulator.grip(place.opening, RELEASE_SECONDS, CLOSING_SECONDS)
         yield from self._during("release", opening)
-        yield from self._during("retreat", panda.trace(place.lower[::-1], LIFT_SPEED))
-        if forward(place.lower[-1])[2, 3] > HIGH:
+        yield from self._during("retreat", manipulator.trace(place.lower[::-1], LIFT_SPEED))
+        if self._cell.physics.arm.forward(place.lower[-1])[2, 3] > HIGH:
             self._cell.look_at()  # What stands so high now is in the way home.
 
     def _choose_place(self) -> Place:
@@ -130,10 +129,10 @@ class PickAndPlace(Taking):
 
     def _put_back(self, pick: Pick) -> Iterator[Stage]:
         """Where it was taken from, since it cannot be put where it should go."""
-        panda = self._cell.panda
-        yield from self._during("put back", panda.trace(pick.lift[::-1], LIFT_SPEED))
-        yield from self._during("put back", panda.open())
-        yield from self._during("put back", panda.trace(pick.approach[::-1], LIFT_SPEED))
+        manipulator = self._cell.manipulator
+        yield from self._during("put back", manipulator.trace(pick.lift[::-1], LIFT_SPEED))
+        yield from self._during("put back", manipulator.open())
+        yield from self._during("put back", manipulator.trace(pick.approach[::-1], LIFT_SPEED))
 
     def _check(self) -> Iterator[Stage]:
         yield from self._come_to_rest()

@@ -56,7 +56,7 @@ class RightingUp(Taking):
         cloud = self._look_at(self._item)[self._item]
         pick = self._plan_across(cloud)
         yield from self._take(pick)
-        cell, panda = self._cell, self._cell.panda
+        cell, manipulator = self._cell, self._cell.manipulator
         yield self._stage("carry")
         clouds = self._look_at(self._item)
         middle = ((cloud.lowest + cloud.highest) / 2)[:2]
@@ -64,10 +64,12 @@ class RightingUp(Taking):
         wish = middle * (np.clip(distance, 0.38, 0.60) / distance)
         room = TableRoom(clouds, self._item, wish, AROUND)
         way = Righting(cell.physics, cell.collisions, self._rng).choose(self._item, room)
-        yield from self._during("carry", panda.follow(way.carry, CARRY_SPEED))
-        yield from self._during("lower", panda.trace(way.lower, LIFT_SPEED))
-        yield from self._during("release", panda.grip(RELEASE, RELEASE_SECONDS, CLOSING_SECONDS))
-        yield from self._during("retreat", panda.trace(way.back, LIFT_SPEED))
+        yield from self._during("carry", manipulator.follow(way.carry, CARRY_SPEED))
+        yield from self._during("lower", manipulator.trace(way.lower, LIFT_SPEED))
+        yield from self._during(
+            "release", manipulator.grip(RELEASE, RELEASE_SECONDS, CLOSING_SECONDS)
+        )
+        yield from self._during("retreat", manipulator.trace(way.back, LIFT_SPEED))
         yield from self.come_home()
         yield from self._come_to_rest()
         if not self._stands():

@@ -65,9 +65,9 @@ class Shoving(Manoeuvre):
         self._cell.collisions.refresh()
         pushing = Pushing(self._cell.collisions, self._cell.physics.joints, self._rng)
         push = pushing.choose(self._item, clouds, self._towards, distance)
-        panda = self._cell.panda
-        yield from self._during("reach", panda.open(push.opening, 0.2))
-        yield from self._during("reach", panda.follow(push.reach, FREE_SPEED))
-        yield from self._during("lower", panda.trace(push.lower, LIFT_SPEED))
-        yield from self._during("push", panda.trace(push.stroke, STROKE_SPEED))
-        yield from self._during("retreat", panda.trace(push.rise, LIFT_SPEED))
+        manipulator = self._cell.manipulator
+        yield from self._during("reach", manipulator.open(push.opening, 0.2))
+        yield from self._during("reach", manipulator.follow(push.reach, FREE_SPEED))
+        yield from self._during("lower", manipulator.trace(push.lower, LIFT_SPEED))
+        yield from self._during("push", manipulator.trace(push.stroke, STROKE_SPEED))
+        yield from self._during("retreat", manipulator.trace(push.rise, LIFT_SPEED))

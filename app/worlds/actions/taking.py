@@ -19,7 +19,6 @@ from app.worlds.actions.manoeuvre import (
 )
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.grasp import Grasp
-from app.worlds.simulators.mujoco.physics import LARGEST_OPENING
 from app.worlds.simulators.mujoco.picking import Pick, Picking
 from app.worlds.simulators.mujoco.workcell import Workcell
 
@@ -74,17 +73,17 @@ class Taking(Manoeuvre):
         return picking.choose(self._item, cloud, self._banned)
 
     def _take(self, pick: Pick) -> Iterator[Stage]:
-        panda = self._cell.panda
-        yield from self._during("reach", panda.follow(pick.reach, FREE_SPEED))
+        manipulator = self._cell.manipulator
+        yield from self._during("reach", manipulator.follow(pick.reach, FREE_SPEED))
         self._banned.append(pick.grasp)
-        if pick.opening < LARGEST_OPENING:
-            yield from self._during("reach", panda.open(pick.opening, 0.15))
-        yield from self._during("approach", panda.trace(pick.approach, CLOSE_SPEED))
-        yield from self._during("approach", panda.wait(PAUSE))
-        closing = panda.grip(0.0, SQUEEZE_SECONDS, CLOSING_SECONDS)
+        if pick.opening < self._cell.physics.arm.largest_opening:
+            yield from self._during("reach", manipulator.open(pick.opening, 0.15))
+        yield from self._during("approach", manipulator.trace(pick.approach, CLOSE_SPEED))
+        yield from self._during("approach", manipulator.wait(PAUSE))
+        closing = manipulator.grip(0.0, SQUEEZE_SECONDS, CLOSING_SECONDS)
         yield from self._during("grasp", closing)
-        yield from self._during("lift", panda.trace(pick.lift, LIFT_SPEED))
-        yield from self._during("lift", panda.wait(PAUSE))
+        yield from self._during("lift", manipulator.trace(pick.lift, LIFT_SPEED))
+        yield from self._during("lift", manipulator.wait(PAUSE))
         if not self._held():
             missed = self._cell.physics.opening < EMPTY
             how = "the fingers closed on nothing" if missed else "it slipped"

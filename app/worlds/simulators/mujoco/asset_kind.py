@@ -1,10 +1,8 @@
-"""AssetKind: a client's own mesh as a kind of object, and the shelf such kinds are found on."""
+"""AssetKind: a client's own mesh or body as a kind of object, and the shelf such kinds are found on."""
 
-import io
 import threading
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -12,42 +10,13 @@ from app.domain.asset import ASSET, Asset
 from app.domain.world import ObjectKind
 from app.worlds.simulators.mujoco.colours import Colour
 from app.worlds.simulators.mujoco.kind import Kind, Size
-from app.worlds.simulators.mujoco.shapes import Mesh, Points
 from app.worlds.simulators.mujoco.solid import Solid
+from app.worlds.simulators.mujoco.solid_shape import Shape
 
 KEPT = 64
 """Assets that a process keeps unpacked."""
 FLAT_SHADED = 20_000
 """Up to so many faces each has vertices of its own, so that edges stay sharp to the eye."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Shape:
-    """What is seen of an asset, and the corners of its convex parts, each (n, 3) [m]."""
-
-    mesh: Mesh
-    parts: tuple[Points, ...]
-
-    def pack(self) -> bytes:
-        """As it is stored: a compressed archive of arrays."""
-        file = io.BytesIO()
-        np.savez_compressed(
-            file,
-            vertices=self.mesh.vertices.astype(np.float32),
-            faces=self.mesh.faces.astype(np.int32),
-            corners=np.concatenate(self.parts).astype(np.float32),
-            counts=np.array([len(part) for part in self.parts], np.int32),
-        )
-        return file.getvalue()
-
-    @classmethod
-    def unpack(cls, packed: bytes) -> "Shape":
-        """What ``pack`` gave."""
-        with np.load(io.BytesIO(packed), allow_pickle=False) as found:
-            mesh = Mesh(found["vertices"].astype(float), found["faces"])
-            ends = np.cumsum(found["counts"])[:-1]
-            parts = np.split(found["corners"].astype(float), ends)
-        return cls(mesh, tuple(parts))
 
 
 class AssetKind(Kind):
@@ -63,12 +32,15 @@ class AssetKind(Kind):
         self._shape = Shape.unpack(asset.shape)
 
     def build(self, solid: Solid, size: Size, colour: Colour) -> None:
-        """Collide as its convex parts; be seen as its mesh."""
+        """Collide as its parts and primitives; be seen as its meshes."""
         del size  # It has but one.
         for part in self._shape.parts:
             solid.hull(part)
-        mesh = self._shape.mesh
-        solid.show(colour, mesh.faceted() if len(mesh.faces) <= FLAT_SHADED else mesh)
+        for primitive in self._shape.primitives:
+            solid.primitive(primitive)
+        for look in self._shape.looks:
+            few = len(look.mesh.faces) <= FLAT_SHADED
+            solid.show(look.colour or colour, look.mesh.faceted() if few else look.mesh)
 
     def draw_size(self, random: np.random.Generator) -> Size:
         """The only one."""

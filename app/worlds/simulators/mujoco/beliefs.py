@@ -15,7 +15,6 @@ from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.worlds.simulators.mujoco.cameras import Cameras
 from app.worlds.simulators.mujoco.cloud import Cloud
-from app.worlds.simulators.mujoco.kinematics import forward
 from app.worlds.simulators.mujoco.outline import Outline, SeenOutlines
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.relations import BESIDE, HEAP, NEAR, Relations
@@ -106,7 +105,7 @@ class Beliefs:
         pressing = opening - self._physics.commanded_opening > PRESSING
         if opening < EMPTY or not pressing:
             return frozenset()
-        tool = forward(self._physics.joints)[:3, 3]
+        tool = self._physics.arm.forward(self._physics.joints)[:3, 3]
         seen = self._cameras.glimpse(tool, GRASP)
         near = {
             name: np.linalg.norm(cloud.points - tool, axis=1) < GRASP

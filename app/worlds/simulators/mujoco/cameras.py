@@ -16,6 +16,7 @@ from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.depth import DepthImage
 from app.worlds.simulators.mujoco.detector import Confused, Detector, Segmentation
 from app.worlds.simulators.mujoco.physics import Physics
+from app.worlds.simulators.mujoco.raycast import cast
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -24,8 +25,6 @@ GROUPS = np.array([1, 0, 0, 1, 0, 0], np.uint8)
 """The geometry groups that are seen: plain geoms and collision geoms, not the visual copies."""
 SPACE = ((0.05, -0.72, -0.01), (0.82, 0.72, 0.35))
 """Two corners of the box where objects are looked for [m]."""
-FARTHEST = 5.0
-"""Nothing beyond this distance is seen [m]."""
 OVERVIEW = (160, 120)
 CLOSE_UP = (96, 96)
 """Width and height of the images in pixels."""
@@ -56,7 +55,11 @@ class Cameras:
     """The cameras around the table; what they see is labelled with the objects' names."""
 
     def __init__(
-        self, physics: Physics, perception: Perception | None = None, seed: int = 0
+        self,
+        physics: Physics,
+        perception: Perception | None = None,
+        seed: int = 0,
+        detector: Detector | None = None,
     ) -> None:
         """Put them up.
 
@@ -64,13 +67,14 @@ class Cameras:
             physics: what they look at.
             perception: how well they see; None for privileged cameras, without any noise.
             seed: of the noise and of confusions.
+            detector: who tells the objects apart; None for the simulator's segmentation.
         """
         self._physics = physics
         self._seed = seed
         self._names = tuple(physics.bodies)
         perception = perception or Perception(source="privileged")
         self._noise = perception.noise if perception.source == "cameras" else 0.0
-        self._detector = self._detecting(perception.confusion)
+        self._detector = self._detecting(detector, perception.confusion)
         self._seen: dict[str, Cloud] = {}
         self._close: set[str] = set()
         self._moment, self._woken = (-1, b""), -1
@@ -136,12 +140,12 @@ class Cameras:
         # Not the time alone: another state may have been restored.
         return self._physics.steps, self._physics.data.qpos.tobytes()
 
-    def _detecting(self, confusion: float) -> Detector:
+    def _detecting(self, detector: Detector | None, confusion: float) -> Detector:
         objects = [body.parts for body in self._physics.bodies.values()]
-        known = Segmentation(objects, self._physics.model.nbody)
+        telling = detector or Segmentation(objects, self._physics.model.nbody)
         if confusion == 0:
-            return known
-        return Confused(known, len(objects), confusion, self._seed)
+            return telling
+        return Confused(telling, len(objects), confusion, self._seed)
 
     def _cast(
         self, data: mujoco.MjData, camera: Camera, mask: Mask, before: _Hits | None = None
@@ -152,27 +156,15 @@ class Cameras:
             np.full(mask.shape, -1, np.int32), np.zeros(mask.shape), np.zeros((*mask.shape, 3))
         )
         rows, columns = np.nonzero(mask)
-        count = len(rows)
-        if count == 0:
+        if len(rows) == 0:
             return hits
-        a, b = camera.tangents(width, height)
-        rays = np.stack([a[columns], b[rows], np.ones(count)], axis=1) @ camera.axes()
-        lengths = np.sqrt((rays**2).sum(axis=1))
-        rays /= lengths[:, None]
-        geoms, distances = np.zeros(count, np.int32), np.zeros(count)
-        normals = np.zeros(3 * count)
-        mujoco.mj_multiRay(
-            self._physics.model, data, np.array(camera.position), rays.reshape(-1), GROUPS, True,
-            -1, geoms, distances, normals, count, FARTHEST,
-        )  # fmt: skip
-        normals = normals.reshape(-1, 3)
-        # A hollow body is seen from inside as well: a normal always faces the camera.
-        normals *= -np.sign((normals * rays).sum(axis=1, keepdims=True))
+        met = cast(self._physics.model, data, camera, (width, height), (rows, columns), GROUPS)
         # The last geom's body stands for index -1, a ray that hit nothing; it is put right below.
-        labels = self._detector.label(self._physics.model.geom_bodyid[geoms])
-        hits.labels[rows, columns] = np.where(geoms >= 0, labels, -1)
-        hits.depths[rows, columns] = np.where(geoms >= 0, distances / lengths, 0.0)
-        hits.normals[rows, columns] = normals
+        bodies = self._physics.model.geom_bodyid[met.geoms]
+        labels = self._detector.label(bodies, met.points)
+        hits.labels[rows, columns] = np.where(met.geoms >= 0, labels, -1)
+        hits.depths[rows, columns] = met.depths
+        hits.normals[rows, columns] = met.normals
         return hits
 
     def _clouds(self, images: Iterable[tuple[Camera, _Hits]]) -> dict[str, Cloud]:

@@ -9,8 +9,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from app.worlds.simulators.mujoco.arm import Arm
 from app.worlds.simulators.mujoco.cloud import Cloud
-from app.worlds.simulators.mujoco.physics import ARM, FINGERS
 
 Array = NDArray[np.float64]
 
@@ -22,7 +22,6 @@ CARRIED_OVERLAP = -0.0015
 OBSTACLE, ROBOT, CARRIED = 1, 2, 4
 """Bits of ``contype``. Obstacles ask for no contact, so they are never tested with each other."""
 _MEETS = {OBSTACLE: 0, ROBOT: OBSTACLE | ROBOT, CARRIED: OBSTACLE}
-_HAND = ("hand", "left_finger", "right_finger")
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,15 +41,18 @@ class Collisions(ABC):
     ``refresh`` takes over where the objects stand now, as far as they are known.
     """
 
-    def __init__(self, model: mujoco.MjModel) -> None:
+    def __init__(self, model: mujoco.MjModel, arm: Arm) -> None:
         """Prepare.
 
         Args:
+            arm: which arm it is of.
             model: of the arm and its surroundings; what of it may touch what is set here.
         """
+        self.arm = arm
         self._model = model
         self._data = mujoco.MjData(model)
-        robot = _robot_bodies(model)
+        robot = robot_bodies(model, arm)
+        self._hand = int(model.body(arm.hand).id)
         self._is_robot = robot[model.geom_bodyid]
         self._solid = (model.geom_contype != 0) | (model.geom_conaffinity != 0)
         self._carried = np.zeros(model.ngeom, bool)
@@ -94,14 +96,14 @@ class Collisions(ABC):
         """The first collision of the arm at these joint angles, or None.
 
         Args:
-            joints: the arm's joint angles, shape (7,) [rad].
+            joints: the arm's joint angles, shape (n,) [rad].
             opening: distance of each finger from the middle [m].
             clearance: the gap to keep from obstacles, up to ``WIDEST_MARGIN`` [m].
         """
         self.checks += 1
         data = self._data
-        data.qpos[ARM] = joints
-        data.qpos[FINGERS] = opening
+        data.qpos[self.arm.arm_part] = joints
+        data.qpos[self.arm.finger_part] = self.arm.finger_joints_at(opening)
         self._bring_along(joints)
         mujoco.mj_kinematics(self._model, data)
         mujoco.mj_collision(self._model, data)
@@ -142,8 +144,8 @@ class Collisions(ABC):
         ...
 
     def _robot_label(self, geom: int) -> str:
-        body = self._model.body(self._model.geom_bodyid[geom]).name
-        return "the gripper" if body in _HAND else "the arm"
+        # Bodies are numbered from the base on: the hand's own come last.
+        return "the gripper" if self._model.geom_bodyid[geom] >= self._hand else "the arm"
 
     def _set_masks(self, geoms: NDArray[np.bool_], contype: int) -> None:
         geoms = geoms & self._solid
@@ -155,7 +157,7 @@ class Collisions(ABC):
         self._model.body_conaffinity[bodies] = _MEETS[contype]
 
 
-def _robot_bodies(model: mujoco.MjModel) -> NDArray[np.bool_]:
+def robot_bodies(model: mujoco.MjModel, arm: Arm) -> NDArray[np.bool_]:
     """Which bodies are part of the arm, shape (nbody,)."""
-    root = model.body_rootid[model.body("hand").id]
+    root = model.body_rootid[model.body(arm.hand).id]
     return model.body_rootid == root

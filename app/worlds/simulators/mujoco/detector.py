@@ -6,6 +6,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+Array = NDArray[np.float64]
 Labels = NDArray[np.int32]
 
 SOMETHING_ELSE = -2
@@ -15,14 +16,15 @@ SOMETHING_ELSE = -2
 class Detector(Protocol):
     """Labels pixels."""
 
-    def label(self, bodies: Labels) -> Labels:
+    def label(self, bodies: Labels, points: Array) -> Labels:
         """What each pixel shows.
 
         Args:
-            bodies: the simulator's segmentation: ids of the bodies hit, any shape.
+            bodies: the simulator's segmentation: ids of the bodies hit, shape (n,).
+            points: where they were hit, base frame, shape (n, 3) [m].
 
         Returns:
-            The objects' places in scene order, or ``SOMETHING_ELSE``, of the same shape.
+            The objects' places in scene order, or ``SOMETHING_ELSE``, shape (n,).
         """
         ...
 
@@ -41,8 +43,9 @@ class Segmentation:
         for index, bodies in enumerate(objects):
             self._table[list(bodies)] = index
 
-    def label(self, bodies: Labels) -> Labels:
+    def label(self, bodies: Labels, points: Array) -> Labels:
         """What each pixel shows; see ``Detector``."""
+        del points  # Unused.
         return self._table[bodies]
 
 
@@ -67,9 +70,9 @@ class Confused:
             if rng.random() < rate:
                 self._mistaken[[first, second]] = second, first
 
-    def label(self, bodies: Labels) -> Labels:
+    def label(self, bodies: Labels, points: Array) -> Labels:
         """What each pixel seems to show; see ``Detector``."""
-        labels = self._detector.label(bodies)
+        labels = self._detector.label(bodies, points)
         return np.where(labels >= 0, self._mistaken[np.maximum(labels, 0)], labels)
 
 

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 
 from app.domain.errors import ActionFailure
 from app.worlds.simulators.mujoco import kinematics
+from app.worlds.simulators.mujoco.arm import Arm
 from app.worlds.simulators.mujoco.collision import Collisions
 from app.worlds.simulators.mujoco.motion import free_path
-from app.worlds.simulators.mujoco.physics import LARGEST_OPENING, Physics
+from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.picking import CLEARANCE, TOUCHING
 from app.worlds.simulators.mujoco.scene_builder import ObjectBody
 
@@ -34,14 +35,14 @@ TILTS = np.radians([0, 20, 35])
 WIDE = 0.025
 """How far each finger is from the middle around the fin [m]."""
 DRIFTS = np.linspace(-0.12, 0.12, 9)
-"""How far the arm's last joint may turn from one pose to the next [rad]."""
+"""How far a joint that is left free may turn from one pose to the next [rad]."""
 LARGEST_TURN = 0.3
 """The most any joint may [rad]."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Haul:
-    """How a part is moved; joint angles, shapes (n, 7) [rad]."""
+    """How a part is moved; joint angles, shapes (n, joints) [rad]."""
 
     reach: Array
     lower: Array
@@ -136,24 +137,25 @@ class Handle:
     def _hauls(
         self, poses: list[Array], collisions: Collisions, rng: np.random.Generator
     ) -> Iterator[Haul]:
-        start = self._physics.joints
+        arm, start = self._physics.arm, self._physics.joints
         above, over = poses[0].copy(), poses[-1].copy()
         above[2, 3] += ABOVE
         over[2, 3] += ABOVE
-        postures = kinematics.inverse(above, start)[:BRANCHES]
+        postures = arm.inverse(above, start)[:BRANCHES]
         if len(postures) == 0:
             self._turned_down[_TOO_FAR] += 1
         for joints in postures:
-            lower = kinematics.line(above, poses[0], joints)
-            along = None if lower is None else _follow(poses, lower[-1])
-            rise = None if along is None else kinematics.line(poses[-1], over, along[-1])
+            lower = arm.line(above, poses[0], joints)
+            along = None if lower is None else _follow(arm, poses, lower[-1])
+            rise = None if along is None else arm.line(poses[-1], over, along[-1])
             if lower is None or along is None or rise is None:
                 self._turned_down[_TOO_FAR] += 1
             elif not self._hits(np.concatenate([lower, along]), collisions):
                 reach = free_path(
+                    arm,
                     start,
                     joints,
-                    lambda q: collisions.find(q, LARGEST_OPENING, CLEARANCE) is not None,
+                    lambda q: collisions.find(q, arm.largest_opening, CLEARANCE) is not None,
                     rng,
                 )
                 if reach is not None:
@@ -181,11 +183,11 @@ def _turn(axis: Array, angle: float) -> Array:
     return turn.reshape(3, 3)
 
 
-def _follow(poses: list[Array], joints: Array) -> Array | None:
-    """Joint angles through neighbouring poses, shape (n, 7); None if the arm cannot follow."""
+def _follow(arm: Arm, poses: list[Array], joints: Array) -> Array | None:
+    """Joint angles through neighbouring poses, shape (n, joints); None if the arm cannot follow."""
     path = [joints]
     for pose in poses[1:]:
-        found = kinematics.inverse(pose, path[-1], path[-1][6] + DRIFTS)
+        found = arm.inverse(pose, path[-1], DRIFTS)
         if len(found) == 0 or float(np.abs(found[0] - path[-1]).max()) > LARGEST_TURN:
             return None
         path.append(found[0])

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.collision import CARRIED, OBSTACLE, Collisions
-from app.worlds.simulators.mujoco.kinematics import forward
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.surface import surface_points
 
@@ -21,7 +20,7 @@ class KnownCollisions(Collisions):
     """Checks against a scratch copy of the scene."""
 
     def __init__(self, physics: Physics) -> None:
-        super().__init__(copy.copy(physics.model))
+        super().__init__(copy.copy(physics.model), physics.arm)
         self._physics = physics
         self._names = {part: name for name, b in physics.bodies.items() for part in b.parts}
         self._load: tuple[int, Array] | None = None
@@ -44,7 +43,7 @@ class KnownCollisions(Collisions):
         pose[:3, 3] = data.xpos[body.body_id]
         self._carried = self._model.geom_bodyid == body.body_id
         self._set_masks(self._carried, CARRIED)
-        in_tool = np.linalg.inv(forward(self._physics.joints)) @ pose
+        in_tool = np.linalg.inv(self.arm.forward(self._physics.joints)) @ pose
         self._load = (body.qpos_address, in_tool)
         try:
             yield
@@ -72,7 +71,7 @@ class KnownCollisions(Collisions):
         if self._load is None:
             return
         address, object_in_tool = self._load
-        pose = forward(joints) @ object_in_tool
+        pose = self.arm.forward(joints) @ object_in_tool
         qpos = self._data.qpos
         qpos[address : address + 3] = pose[:3, 3]
         mujoco.mju_mat2Quat(qpos[address + 3 : address + 7], pose[:3, :3].reshape(-1))

@@ -6,16 +6,12 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from app.worlds.simulators.mujoco.kinematics import CLEARANCE, LOWER, UPPER
+from app.worlds.simulators.mujoco.arm import CLEARANCE, Arm
 
 Array = NDArray[np.float64]
 Blocked = Callable[[Array], bool]
-"""Whether the arm would hit something at these joint angles, shape (7,) [rad]."""
+"""Whether the arm would hit something at these joint angles, shape (joints,) [rad]."""
 
-SPEED_LIMITS = 0.9 * np.array([2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61])
-"""Nine tenths of the maker's joint speed limits [rad/s]."""
-ACCELERATION_LIMITS = 0.8 * np.array([15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0])
-"""Four fifths of the maker's joint acceleration limits [rad/s²]."""
 RESOLUTION = 0.06
 """The most a joint turns between two checks along an edge [rad]."""
 STRIDE = 0.25
@@ -32,48 +28,52 @@ _PEAK_ACCELERATION = 10 / math.sqrt(3)
 
 
 def free_path(
-    start: Array, goal: Array, blocked: Blocked, rng: np.random.Generator
+    arm: Arm, start: Array, goal: Array, blocked: Blocked, rng: np.random.Generator
 ) -> Array | None:
     """A path clear of collisions: the straight line if it is free, else one a search finds.
 
     Args:
-        start: joint angles, shape (7,) [rad]; not checked itself.
-        goal: joint angles, shape (7,) [rad].
+        arm: whose joints they are.
+        start: joint angles, shape (joints,) [rad]; not checked itself.
+        goal: joint angles, shape (joints,) [rad].
         blocked: where the arm cannot be.
         rng: where the search's samples come from.
 
     Returns:
-        Corner points from start to goal, shape (n, 7) [rad], or None if the budget ran out.
+        Corner points from start to goal, shape (n, joints) [rad], or None if the budget ran out.
     """
     if blocked(goal):
         return None
     if _edge_free(start, goal, blocked):
         return np.array([start, goal])
-    path = _connect(start, goal, blocked, rng)
+    path = _connect(arm, start, goal, blocked, rng)
     return None if path is None else np.array(_shortened(path, blocked, rng))
 
 
-def timed(path: Array, speed: float, timestep: float) -> tuple[Array, Array]:
+def timed(arm: Arm, path: Array, speed: float, timestep: float) -> tuple[Array, Array]:
     """The minimum-jerk course along a path: at rest at both ends.
 
     s(u) = 10 u³ - 15 u⁴ + 6 u⁵ over the arc length s, measured by the slowest joint.
 
     Args:
-        path: joint angles along the way, shape (n, 7) [rad], n >= 2.
+        arm: whose joints they are.
+        path: joint angles along the way, shape (n, joints) [rad], n >= 2.
         speed: fraction of the joints' limits that is made use of.
         timestep: time between two set points [s].
 
     Returns:
-        Set points and their velocities, both shape (k, 7) [rad], [rad/s].
+        Set points and their velocities, both shape (k, joints) [rad], [rad/s].
     """
-    lengths = (np.abs(np.diff(path, axis=0)) / SPEED_LIMITS).max(axis=1)
+    lengths = (np.abs(np.diff(path, axis=0)) / arm.speed).max(axis=1)
     arc = np.concatenate([[0.0], np.cumsum(lengths)]) / speed  # seconds at full speed, (n,)
-    reach = np.abs(path[-1] - path[0]) / (ACCELERATION_LIMITS * speed**2)
+    reach = np.abs(path[-1] - path[0]) / (arm.acceleration * speed**2)
     seconds = max(_PEAK_SPEED * arc[-1], math.sqrt(_PEAK_ACCELERATION * reach.max()), SHORTEST)
     count = math.ceil(seconds / timestep)
     u = np.arange(1, count + 1) / count
     along = (10 * u**3 - 15 * u**4 + 6 * u**5) * arc[-1]
-    points = np.stack([np.interp(along, arc, path[:, joint]) for joint in range(7)], axis=1)
+    points = np.stack(
+        [np.interp(along, arc, path[:, joint]) for joint in range(arm.joints)], axis=1
+    )
     return points, np.gradient(points, timestep, axis=0)
 
 
@@ -126,16 +126,16 @@ class _Tree:
 
 
 def _connect(
-    start: Array, goal: Array, blocked: Blocked, rng: np.random.Generator
+    arm: Arm, start: Array, goal: Array, blocked: Blocked, rng: np.random.Generator
 ) -> list[Array] | None:
     """RRT-connect (Kuffner and LaValle, 2000), sampling near the straight line for the most part."""
     growing, other = _Tree(start), _Tree(goal)
     forwards = True
     for _ in range(NODE_BUDGET):
-        anywhere = rng.uniform(LOWER, UPPER)
-        nearby = (start + goal) / 2 + rng.normal(0.0, 0.5, 7)
+        anywhere = rng.uniform(arm.lowest, arm.highest)
+        nearby = (start + goal) / 2 + rng.normal(0.0, 0.5, arm.joints)
         sample = anywhere if rng.random() < 0.3 else nearby
-        sample = np.clip(sample, LOWER + CLEARANCE, UPPER - CLEARANCE)
+        sample = np.clip(sample, arm.lowest + CLEARANCE, arm.highest - CLEARANCE)
         before = len(growing.nodes)
         at, _arrived = growing.extend(sample, blocked, all_the_way=False)
         if len(growing.nodes) > before:

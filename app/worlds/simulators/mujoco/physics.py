@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.domain.trace import Frame
-from app.worlds.simulators.mujoco.kinematics import HOME
 from app.worlds.simulators.mujoco.scene_builder import BuiltScene, ObjectBody
 
 Array = NDArray[np.float64]
@@ -22,15 +21,6 @@ LONGEST_SETTLING = 3.0
 """After this long, what still rolls is left to roll [s]."""
 FRICTION_STIFFNESS = 50.0
 """Of friction against normal forces. At 10, round things creep out of the fingers while carried."""
-ARM = slice(0, 7)
-GRIPPER = 7
-"""Places of the arm's and of the gripper's actuators in ``ctrl``."""
-FINGERS = slice(7, 9)
-"""Places of the finger joints in ``qpos``."""
-LARGEST_OPENING = 0.04
-"""How far either finger is from the middle when the gripper is open [m]."""
-_FULL_CONTROL = 255.0
-"""What the gripper's actuator is sent to open it wholly; the maker's range is 0 to 255."""
 _EVERYTHING = int(mujoco.mjtState.mjSTATE_INTEGRATION)
 _HEADER = struct.Struct("<QQQ")
 
@@ -47,6 +37,8 @@ class Physics:
         # What rests and is not touched costs nothing: five times as many steps a second.
         self.model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         self.bodies = built.bodies
+        self.arm = built.arm
+        self._gripper = self.arm.joints  # its place in ``ctrl``
         self.model.opt.impratio = FRICTION_STIFFNESS
         self.data = mujoco.MjData(self.model)
         self._view = mujoco.MjData(self.model)
@@ -55,13 +47,13 @@ class Physics:
         self._frames: list[Frame] = []
         self.woken = 0
         """How often ``wake`` was called: a number for the action that is under way."""
-        self.data.qpos[ARM] = HOME
-        self.data.qpos[FINGERS] = LARGEST_OPENING
+        arm, opened = self.arm, self.arm.largest_opening
+        self.data.qpos[arm.arm_part] = arm.home
+        self.data.qpos[arm.finger_part] = arm.finger_joints_at(opened)
         for body in built.bodies.values():
             if body.joint is not None:
                 self.data.qpos[self.model.jnt_qposadr[body.joint]] = body.start
-        self.data.ctrl[ARM] = HOME
-        self.data.ctrl[GRIPPER] = _FULL_CONTROL
+        self.command(arm.home, opened)
 
     @property
     def time(self) -> float:
@@ -75,18 +67,18 @@ class Physics:
 
     @property
     def joints(self) -> Array:
-        """The arm's joint angles now, shape (7,) [rad]."""
-        return self.data.qpos[ARM].copy()
+        """The arm's joint angles now, shape (n,) [rad]."""
+        return self.data.qpos[self.arm.arm_part].copy()
 
     @property
     def opening(self) -> float:
         """How far each finger is from the middle, on average [m]."""
-        return float(self.data.qpos[FINGERS].mean())
+        return self.arm.opening_at(self.data.qpos[self.arm.finger_part])
 
     @property
     def commanded_opening(self) -> float:
         """How far each finger is told to be from the middle [m]."""
-        return float(self.data.ctrl[GRIPPER]) / _FULL_CONTROL * LARGEST_OPENING
+        return self.arm.commanded_at(float(self.data.ctrl[self._gripper]))
 
     def wake(self) -> None:
         """Wake what sleeps; from here on, all depends on nothing but what ``save`` keeps.
@@ -102,9 +94,9 @@ class Physics:
     def command(self, joints: Array | None = None, opening: float | None = None) -> None:
         """Tell the arm's joints [rad] and the fingers [m] where to be; takes effect with steps."""
         if joints is not None:
-            self.data.ctrl[ARM] = joints
+            self.data.ctrl[self.arm.arm_part] = joints
         if opening is not None:
-            self.data.ctrl[GRIPPER] = opening / LARGEST_OPENING * _FULL_CONTROL
+            self.data.ctrl[self._gripper] = self.arm.control_at(opening)
 
     def step(self) -> None:
         """Go on by one time step."""

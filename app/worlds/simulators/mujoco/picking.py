@@ -20,7 +20,6 @@ from app.worlds.simulators.mujoco.grasp import (
     distinct,
 )
 from app.worlds.simulators.mujoco.motion import free_path
-from app.worlds.simulators.mujoco.physics import LARGEST_OPENING
 
 Array = NDArray[np.float64]
 
@@ -54,11 +53,11 @@ class Pick:
     opening: float
     """Distance of each finger from the middle during the approach [m]."""
     reach: Array
-    """Joint angles on the way to where the approach begins, shape (n, 7) [rad]."""
+    """Joint angles on the way to where the approach begins, shape (n, joints) [rad]."""
     approach: Array
-    """Joint angles of the straight line to the grasp, shape (n, 7) [rad]."""
+    """Joint angles of the straight line to the grasp, shape (n, joints) [rad]."""
     lift: Array
-    """Joint angles of the straight line upwards, shape (n, 7) [rad]."""
+    """Joint angles of the straight line upwards, shape (n, joints) [rad]."""
 
 
 class Picking:
@@ -71,11 +70,12 @@ class Picking:
 
         Args:
             collisions: refreshed, that is knowing where the objects stand.
-            start: the arm's joint angles now, shape (7,) [rad].
+            start: the arm's joint angles now, shape (joints,) [rad].
             destination: where the object is to go, shape (3,), base frame [m].
             rng: for thinning clouds and searching paths.
         """
         self._collisions = collisions
+        self._arm = collisions.arm
         self._start = start
         self._destination = destination
         self._rng = rng
@@ -124,7 +124,7 @@ class Picking:
         reason, _ = self._turned_down.most_common(1)[0]
         stage, tool = "reach", self._examples[reason]
         if reason == _TOO_FAR:
-            stage, reason = "unreachable", f"{reason}: {kinematics.missed(tool, self._start)}"
+            stage, reason = "unreachable", f"{reason}: {self._arm.missed(tool, self._start)}"
         return ActionFailure(
             stage, f"no grasp of {name} can be reached: {reason}", pose=kinematics.pose(tool)
         )
@@ -135,15 +135,15 @@ class Picking:
 
     def _picks(self, grasp: Grasp, cloud: Cloud) -> Iterator[Pick]:
         """The ways to carry out a grasp, either finger on either side."""
-        widest = min(LARGEST_OPENING, grasp.width / 2 + PLAY)
+        widest = min(self._arm.largest_opening, grasp.width / 2 + PLAY)
         for side in (1.0, -1.0):
             tool = grasp.tool.copy()
             tool[:3, :2] *= side
-            postures = kinematics.inverse(tool, self._start)[:BRANCHES]
+            postures = self._arm.inverse(tool, self._start)[:BRANCHES]
             if len(postures) == 0:
                 self._turn_down(_TOO_FAR, tool)
             for joints in postures:
-                pick = self._pick(grasp, tool, joints, (LARGEST_OPENING, widest), cloud)
+                pick = self._pick(grasp, tool, joints, (self._arm.largest_opening, widest), cloud)
                 if pick is not None:
                     yield pick
 
@@ -169,6 +169,7 @@ class Picking:
             self._turn_down("held that way it could not be put down there", tool)
             return None
         reach = free_path(
+            self._arm,
             self._start,
             approach[-1],
             lambda q: self._collisions.find(q, opening, CLEARANCE) is not None,
@@ -188,7 +189,7 @@ class Picking:
         return None
 
     def _line(self, start: Array, end: Array, joints: Array) -> Array | None:
-        path = kinematics.line(start, end, joints)
+        path = self._arm.line(start, end, joints)
         if path is None:
             self._turn_down(_TOO_FAR, end)
         return path
@@ -201,7 +202,7 @@ class Picking:
             over = turned(tool, middle, angle)
             over[:2, 3] += self._destination[:2] - middle[:2]
             over[2, 3] += self._destination[2] - bottom + 0.06
-            if len(kinematics.inverse(over, lifted)):
+            if len(self._arm.inverse(over, lifted)):
                 return True
         return False
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from app.domain.errors import Fault, SceneRefused
 from app.domain.scene import Position, Scene, SceneObject
+from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 from app.worlds.simulators.mujoco.description import describe
 from app.worlds.simulators.mujoco.footprint import Footprint, first_free, gaps
 from app.worlds.simulators.mujoco.objects import kinds
@@ -52,7 +53,7 @@ LAYOUTS = (
 def complete(scene: Scene, seed: int) -> Scene:
     """The scene with everything its client left open filled in; the same seed, the same scene.
 
-    Kinds come from names; sizes, places and yaws that are not given are drawn. What is given is
+    The robot is the usual one if none is named. Kinds come from names; sizes, places and yaws that are not given are drawn. What is given is
     kept. Completing a completed scene changes nothing.
 
     Raises:
@@ -65,6 +66,10 @@ def complete(scene: Scene, seed: int) -> Scene:
     if scene.environment is not None:
         message = "the tabletop has no ready-made environments; leave it out and list objects"
         faults.append(Fault(field="scene.environment", message=message))
+    robot = scene.robot or DEFAULT_ARM
+    if robot not in arms:
+        message = f"there is no robot {robot[:40]!r}; there is {', '.join(arms)}"
+        faults.append(Fault(field="scene.robot", message=message))
     objects: list[SceneObject] = []
     for index, item in enumerate(scene.objects):
         described, found = describe(item, entropy, index)
@@ -73,7 +78,7 @@ def complete(scene: Scene, seed: int) -> Scene:
     faults += _place_faults(objects, {fault.field for fault in faults})
     if faults:
         raise SceneRefused(*faults)
-    return replace(scene, objects=_placed(objects, entropy))
+    return replace(scene, objects=_placed(objects, entropy), robot=robot)
 
 
 def _count_fault(count: int) -> str | None:

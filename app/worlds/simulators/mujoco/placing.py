@@ -36,15 +36,15 @@ class Place:
     """How a held object is put down."""
 
     carry: Array
-    """Joint angles on the way to above the spot, shape (n, 7) [rad]."""
+    """Joint angles on the way to above the spot, shape (n, joints) [rad]."""
     lower: Array
-    """Joint angles of the straight line down, shape (n, 7) [rad]."""
+    """Joint angles of the straight line down, shape (n, joints) [rad]."""
     opening: float
     """Distance of each finger from the middle at which it is let go [m]."""
 
 
 Posture = tuple[Array, Array, float]
-"""Joint angles, shape (7,); the tool's pose with them; its height where the object is let go."""
+"""Joint angles, shape (joints,); the tool's pose with them; its height where the object is let go."""
 
 
 class Placing:
@@ -53,6 +53,7 @@ class Placing:
     def __init__(self, physics: Physics, collisions: Collisions, rng: np.random.Generator) -> None:
         self._physics = physics
         self._collisions = collisions
+        self._arm = collisions.arm
         self._rng = rng
         self._obstacles: Counter[str] = Counter()
 
@@ -91,8 +92,8 @@ class Placing:
         """Why nothing will do, and where the gripper would have had to be."""
         start = self._physics.joints
         if not postures:
-            hover = _over(kinematics.forward(start), middle, landings[0])
-            why = f"the arm cannot hold {name} over it: {kinematics.missed(hover, start)}"
+            hover = _over(self._arm.forward(start), middle, landings[0])
+            why = f"the arm cannot hold {name} over it: {self._arm.missed(hover, start)}"
             return ActionFailure("place", why, pose=kinematics.pose(hover))
         obstacle, _ = (self._obstacles or Counter(("no path to it was found",))).most_common(1)[0]
         why = f"no way to put {name} down there is free of collisions: {obstacle}"
@@ -101,14 +102,14 @@ class Placing:
     def _postures(self, landings: list[Landing], middle: Array, rim: float) -> list[Posture]:
         """Joint angles over each landing, the tool's pose there, and its height when let go."""
         start = self._physics.joints
-        tool = kinematics.forward(start)
+        tool = self._arm.forward(start)
         found: list[tuple[float, Array, Array, float]] = []
         for landing in landings:
             spot = landing.spot
             hover = _over(tool, middle, landing)
             let_go = hover[2, 3]
             hover[2, 3] = let_go - spot.height + max(spot.height, rim) + HOVER
-            for joints in kinematics.inverse(hover, start)[:2]:
+            for joints in self._arm.inverse(hover, start)[:2]:
                 cost = spot.cost + MOTION_COST * float(np.abs(joints - start).max())
                 found.append((cost, joints, hover, let_go))
         found.sort(key=lambda entry: entry[0])
@@ -120,13 +121,14 @@ class Placing:
             return None
         bottom = hover.copy()
         bottom[2, 3] = height
-        lower = kinematics.line(hover, bottom, joints)
+        lower = self._arm.line(hover, bottom, joints)
         if lower is None:
             self._obstacles["the arm cannot get down there"] += 1
             return None
         if self._hits(lower[1:], opening, LOWERING):
             return None
         carry = free_path(
+            self._arm,
             self._physics.joints,
             joints,
             lambda q: self._collisions.find(q, opening, CLEARANCE) is not None,

@@ -42,7 +42,7 @@ BESIDE = 0.012
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Push:
-    """How an object is pushed; joint angles, shapes (n, 7) [rad]."""
+    """How an object is pushed; joint angles, shapes (n, joints) [rad]."""
 
     opening: float
     """Distance of each finger from the middle [m]."""
@@ -60,10 +60,11 @@ class Pushing:
 
         Args:
             collisions: refreshed, that is knowing where the objects stand.
-            start: the arm's joint angles now, shape (7,) [rad].
+            start: the arm's joint angles now, shape (joints,) [rad].
             rng: for searching paths.
         """
         self._collisions = collisions
+        self._arm = collisions.arm
         self._start = start
         self._rng = rng
         self._turned_down: Counter[str] = Counter()
@@ -119,13 +120,13 @@ class Pushing:
         end[:3, 3] += towards * (BEHIND - FINGER + distance)
         over = end.copy()
         over[2, 3] += LOWERING
-        postures = kinematics.inverse(above, self._start)[:BRANCHES]
+        postures = self._arm.inverse(above, self._start)[:BRANCHES]
         if len(postures) == 0:
             self._turned_down[_TOO_FAR] += 1
         for joints in postures:
-            lower = kinematics.line(above, tool, joints)
-            stroke = None if lower is None else kinematics.line(tool, end, lower[-1])
-            rise = None if stroke is None else kinematics.line(end, over, stroke[-1])
+            lower = self._arm.line(above, tool, joints)
+            stroke = None if lower is None else self._arm.line(tool, end, lower[-1])
+            rise = None if stroke is None else self._arm.line(end, over, stroke[-1])
             if lower is None or stroke is None or rise is None:
                 self._turned_down[_TOO_FAR] += 1
             elif self._hits(name, lower, stroke, opening):
@@ -145,6 +146,7 @@ class Pushing:
 
     def _reach(self, joints: Array, opening: float) -> Array | None:
         path = free_path(
+            self._arm,
             self._start,
             joints,
             lambda q: self._collisions.find(q, opening, CLEARANCE) is not None,

@@ -1,4 +1,4 @@
-"""Quarantine: the process in which a stranger's mesh becomes a shape (``python -m`` this module).
+"""Quarantine: the process in which a stranger's mesh or body becomes a shape (``python -m`` this module).
 
 It has no settings, little memory and time, writes no file, and may die of what it reads without
 harm to the service. On standard input it is told an ``Upload`` as a line of JSON and the file's
@@ -10,6 +10,7 @@ import os
 import resource
 import sys
 from dataclasses import asdict
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -17,10 +18,12 @@ import trimesh
 
 from app.domain.asset import Asset
 from app.domain.errors import AssetRefused, Fault
-from app.worlds.simulators.mujoco.asset_kind import AssetKind, Shape
+from app.worlds.simulators.mujoco.asset_kind import AssetKind
 from app.worlds.simulators.mujoco.convex_parts import convex_parts, hull_of
+from app.worlds.simulators.mujoco.mjcf import read_mjcf
 from app.worlds.simulators.mujoco.shapes import Mesh, Points
 from app.worlds.simulators.mujoco.solid import Solid
+from app.worlds.simulators.mujoco.solid_shape import Look, Shape
 from app.worlds.simulators.mujoco.upload import PROCESSOR, Upload
 from app.worlds.simulators.mujoco.uploaded_mesh import read_mesh
 
@@ -45,7 +48,7 @@ def main() -> None:
         out.write(json.dumps(told).encode() + b"\n" + shape)
 
 
-def _answered(data: bytes, upload: Upload) -> tuple[dict[str, object], bytes]:
+def _answered(data: bytes, upload: Upload) -> tuple[dict[str, Any], bytes]:
     try:
         return _digested(data, upload)
     except AssetRefused as refused:
@@ -55,20 +58,38 @@ def _answered(data: bytes, upload: Upload) -> tuple[dict[str, object], bytes]:
         return {"faults": [asdict(fault)]}, b""
 
 
-def _digested(data: bytes, upload: Upload) -> tuple[dict[str, object], bytes]:
+def _digested(data: bytes, upload: Upload) -> tuple[dict[str, Any], bytes]:
+    read = _body if upload.format in ("xml", "zip") else _mesh
+    told, shape = read(data, upload)
+    packed = shape.pack()
+    _try_out(packed, told["size"])
+    return told | {"parts": len(shape.parts) + len(shape.primitives)}, packed
+
+
+def _mesh(data: bytes, upload: Upload) -> tuple[dict[str, Any], Shape]:
     mesh = read_mesh(data, upload)
     hull = np.asarray(hull_of(mesh).vertices)
     parts: tuple[Points, ...] = (hull,) if upload.decomposition == "hull" else convex_parts(mesh)
     length, width, height = (round(float(side), 4) for side in mesh.extents)
-    shape = Shape(Mesh(np.asarray(mesh.vertices), np.asarray(mesh.faces)), parts).pack()
-    _try_out(shape, (length, width, height))
     told = {
         "size": (length, width, height),
         "faces": len(mesh.faces),
-        "parts": len(parts),
         "volume": sum(float(trimesh.convex.convex_hull(part).volume) for part in parts),
+        "density": None,
     }
-    return told, shape
+    looks = (Look(Mesh(np.asarray(mesh.vertices), np.asarray(mesh.faces))),)
+    return told, Shape(looks, parts)
+
+
+def _body(data: bytes, upload: Upload) -> tuple[dict[str, Any], Shape]:
+    body = read_mjcf(data, upload)
+    told = {
+        "size": body.size,
+        "faces": body.faces,
+        "volume": body.volume,
+        "density": body.mass / body.volume,
+    }
+    return told, body.shape
 
 
 def _try_out(shape: bytes, size: tuple[float, float, float]) -> None:

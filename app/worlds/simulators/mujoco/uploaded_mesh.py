@@ -33,7 +33,7 @@ def read_mesh(data: bytes, upload: Upload) -> trimesh.Trimesh:
     """
     mesh = _turned(_parsed(data, upload.format), upload.up)
     low, high = mesh.bounds  # (3,) each
-    if fault := _size_fault((high - low) * upload.scale, upload.scale):
+    if fault := size_fault((high - low) * upload.scale, upload.scale):
         raise AssetRefused(fault)
     middle = (low + high) / 2
     vertices = (mesh.vertices - (middle[0], middle[1], low[2])) * upload.scale
@@ -76,7 +76,8 @@ def _turned(mesh: trimesh.Trimesh, up: Literal["x", "y", "z"]) -> trimesh.Trimes
     return trimesh.Trimesh(np.asarray(mesh.vertices)[:, order], mesh.faces, process=False)
 
 
-def _size_fault(size: Points, scale: float) -> Fault | None:
+def size_fault(size: Points, scale: float) -> Fault | None:
+    """What is wrong with the sides of a bounding box, shape (3,) [m]."""
     low, high = SIDES
     if all(low <= side <= high for side in size):
         return None

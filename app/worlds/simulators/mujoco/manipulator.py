@@ -1,4 +1,4 @@
-"""The Panda: commands to its arm and gripper, each carried out while the caller looks on."""
+"""Manipulator: commands to the arm and its gripper, each carried out while the caller looks on."""
 
 from collections.abc import Iterator
 from itertools import pairwise
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.worlds.simulators.mujoco.motion import timed
-from app.worlds.simulators.mujoco.physics import ARM, LARGEST_OPENING, Physics
+from app.worlds.simulators.mujoco.physics import Physics
 
 Array = NDArray[np.float64]
 
@@ -15,19 +15,19 @@ LOOK_IN = 0.1
 """Every command yields this often [s of simulated time]."""
 
 
-class Panda:
+class Manipulator:
     """The arm and its gripper. Commands are generators: each yields every ``LOOK_IN`` seconds."""
 
     def __init__(self, physics: Physics) -> None:
         self.physics = physics
         self._timestep = physics.model.opt.timestep
         self._look_in = physics.steps_in(LOOK_IN)
-        bias = physics.model.actuator_biasprm[ARM]
+        bias = physics.model.actuator_biasprm[physics.arm.arm_part]
         # A joint's servo pulls with kp (ctrl - q) - kd dq: leading by kd/kp dq makes up for its lag.
         self._lead = bias[:, 2] / bias[:, 1]
 
     def follow(self, path: Array, speed: float) -> Iterator[None]:
-        """Move through the corner points of a path, shape (n, 7) [rad], stopping at each.
+        """Move through the corner points of a path, shape (n, joints) [rad], stopping at each.
 
         A path with many points close together, a line of the tool, is one motion: see ``trace``.
         """
@@ -38,7 +38,7 @@ class Panda:
         """Move along a path in one motion, without stopping between, at a fraction of full speed."""
         if float(np.abs(np.diff(path, axis=0)).max(initial=0.0)) < 1e-6:
             return
-        points, velocities = timed(path, speed, self._timestep)
+        points, velocities = timed(self.physics.arm, path, speed, self._timestep)
         for count, joints in enumerate(points + self._lead * velocities, start=1):
             self.physics.command(joints=joints)
             self.physics.step()
@@ -69,6 +69,7 @@ class Panda:
                 yield
         yield
 
-    def open(self, opening: float = LARGEST_OPENING, seconds: float = 0.3) -> Iterator[None]:
-        """Open the gripper."""
-        return self.grip(opening, seconds)
+    def open(self, opening: float | None = None, seconds: float = 0.3) -> Iterator[None]:
+        """Open the gripper, wholly or so far that each finger is ``opening`` from the middle [m]."""
+        widest = self.physics.arm.largest_opening
+        return self.grip(widest if opening is None else opening, seconds)
