@@ -1,5 +1,9 @@
 """Sentence → sketch → program: the model reads the sentence, knowledge finds what it means here."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
+from app.domain.action import ActionSignature
 from app.domain.errors import ProgramRefused, TaskDeclined
 from app.domain.llm import Completion, LanguageModel
 from app.domain.planner import Draft, Report, Task
@@ -7,14 +11,19 @@ from app.domain.program import Program, Statement
 from app.llm.meaning import likeness
 from app.planners import planners
 from app.programs.printer import print_program
+from app.programs.sketch import SketchCall
 from app.programs.sketch_dialogue import asks_to_undo, calls_of, undo
 from app.programs.sketch_grammar import sketch_grammar
+from app.programs.sketch_order import unsaid
 from app.programs.sketch_parser import parse_sketch
 from app.programs.sketch_prompt import STOP, write_sketch_prompt
 from app.programs.sketch_resolver import resolve
 from app.programs.sketch_verbs import spoken_verbs
 from app.programs.sketch_wording import plain_english
 from app.programs.transcript import Transcript, sketch_request
+
+MOST_ORDERED = 3
+"""Verbs that a sketch can be made to use, each once, in an order of the model's choice."""
 
 
 @planners.register("situated")
@@ -40,8 +49,7 @@ class Situated:
         transcript = Transcript(task.options.name, model, prompt, report)
         if task.history and (said := asks_to_undo(task.instruction.text)):
             return _draft(task, undo(task, said["what"]), 1.0, transcript.completion(), prompt)
-        grammar = _grammar(task, sentence)
-        completion = transcript.ask(sketch_request(task.options, model, prompt, STOP, grammar))
+        completion = _sketched(task, model, transcript, sentence)
         transcript.wrote(completion.text)
         try:
             body, sureness = resolve(parse_sketch(completion.text), task, likeness)
@@ -54,15 +62,41 @@ class Situated:
         return _draft(task, body, sureness, completion, prompt)
 
 
-def _grammar(task: Task, sentence: str) -> str:
+def _sketched(
+    task: Task, model: LanguageModel, transcript: Transcript, sentence: str
+) -> Completion:
+    """The model's sketch; a verb that the sentence says and the sketch lacks is asked for again."""
+    verbs = spoken_verbs(task.actions, sentence)
+    grammar = sketch_grammar(verbs, sentence, _earlier(task))
+    request = sketch_request(task.options, model, transcript.prompt, STOP, grammar)
+    completion = transcript.ask(request)
+    if request.grammar is None or not (lacking := _unsaid(completion.text, verbs, sentence)):
+        return completion
+    called = [verb for verb in verbs if f"{verb.name}(" in completion.text]
+    wanted = [verb for verb in verbs if verb in called or verb.name in lacking]
+    if not 2 <= len(wanted) <= MOST_ORDERED:
+        return completion
+    grammar = sketch_grammar(wanted, sentence, _earlier(task), each=True)
+    return transcript.ask(replace(request, grammar=grammar))
+
+
+def _unsaid(text: str, verbs: Sequence[ActionSignature], sentence: str) -> set[str]:
+    try:
+        body = parse_sketch(text).body
+    except ProgramRefused:
+        return set()
+    calls = [each for each in body if isinstance(each, SketchCall)]
+    return unsaid(calls, verbs, sentence) if len(calls) == len(body) else set()
+
+
+def _earlier(task: Task) -> tuple[str, ...]:
     earlier = [
         str(argument)
         for turn in task.history
         for call in calls_of(turn.program)
         for argument in call.arguments
     ]
-    verbs = spoken_verbs(task.actions, sentence)
-    return sketch_grammar(verbs, sentence, tuple(dict.fromkeys(earlier)))
+    return tuple(dict.fromkeys(earlier))
 
 
 def _draft(

@@ -76,8 +76,10 @@ class HomeSelection(Selection):
         return self.one(phrase, without, affordance=affordance)
 
     def _loosely(self, phrase: Phrase, without: Collection[str]) -> Fits:
-        """What fits; else what fits the words before "on" or "from", the words but the last, or
-        what is named after the thing: a coffee pot where coffee is wanted."""
+        """What fits; else what fits the words before "on" or "from", or the words but the last.
+
+        Last of all what is named after the thing: a coffee pot where coffee is wanted.
+        """
         if found := self._fitting(phrase, without):
             return found
         said = words(phrase.text)

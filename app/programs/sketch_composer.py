@@ -184,7 +184,9 @@ class Composer:
             return self._any_one(argument, without, parameter.affordance)
         if not self._selection.possible(argument, without) and self._selection.possible(argument):
             raise _into_itself(argument.text)
-        if (is_plural(argument) or self._collective(argument)) and not holds:
+        if (is_plural(argument) or self._collective(argument) or self._elliptic(argument)) and (
+            not holds
+        ):
             many = self._selection.all(argument, without)
             if len(many.things) > 1:
                 return None
@@ -201,6 +203,11 @@ class Composer:
             return phrase.text
         spoken = plainly in DIRECTIONS | PERSONS and not self._exactly(plainly)
         return phrase.text if spoken else None
+
+    def _elliptic(self, phrase: Phrase) -> bool:
+        """Whether it is "glass: green bin", where nobody said "one"."""
+        found = words(phrase.text)
+        return found[-1:] == ("one",) and "one" not in words(self._selection.sentence)
 
     def _collective(self, phrase: Phrase) -> bool:
         """Whether the words speak of all there is of a kind: "the cutlery", "the fruit"."""
@@ -327,7 +334,8 @@ class Composer:
         self._sureness = min(self._sureness, selected.sureness)
         found = list(selected.things)
         described = describe_phrase(argument)
-        if described.vague and not (described.colours or described.materials or described.sizes):
+        told = described.colours or described.materials or described.sizes
+        if described.vague and (not told or self._elliptic(argument)):
             found = movable(found, self._selection)
         found = ordered(found, argument.order)
         if argument.count is not None:

@@ -7,6 +7,7 @@ bucket. What the words mean is for the resolver.
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import permutations
 
 from app.domain.action import ActionSignature, Parameter
 from app.domain.program import literal
@@ -39,18 +40,26 @@ free ::= target | number
 
 
 def sketch_grammar(
-    actions: Iterable[ActionSignature], sentence: str | None = None, earlier: Sequence[str] = ()
+    actions: Iterable[ActionSignature],
+    sentence: str | None = None,
+    earlier: Sequence[str] = (),
+    *,
+    each: bool = False,
 ) -> str:
     """The grammar of everything after the prompt: indented calls, or a decline; then an empty line.
 
     Without a sentence the words for things are free. ``earlier`` are names that turns before this
-    one used; the sentence may refer to them.
+    one used; the sentence may refer to them. With ``each`` every action is called exactly once.
     """
     calls = [f"{_text(f'{action.name}(')} {_arguments(action)} {_text(')')}" for action in actions]
     declined = f'{_text(f"{INDENT}decline(")} "\'impossible\'" {_text(")")} "\\n"'
     steps = f"step{{1,{MAX_CALLS}}} | " if calls else ""
     rules = [f'root ::= ({steps}declined) "\\n"', f"declined ::= {declined}"]
-    if calls:
+    if each:
+        lines = [f'{_text(INDENT)} {call} "\\n"' for call in calls]
+        orders = (" ".join(order) for order in permutations(lines))
+        rules = [f'root ::= ({" | ".join(orders)}) "\\n"']
+    elif calls:
         rules += [f'step ::= {_text(INDENT)} call "\\n"', f"call ::= {' | '.join(calls)}"]
     rules += _words(sentence, earlier)
     rules += _qualified(sentence)

@@ -1,8 +1,10 @@
 """Which of a verb's two arguments is which, where the sentence's small words tell it."""
 
 import re
+from collections.abc import Sequence
 
 from app.domain.action import ActionSignature
+from app.programs.knowledge.names import stem, words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import Phrase, SketchCall
 
@@ -38,3 +40,27 @@ def in_order(call: SketchCall, signature: ActionSignature, sentence: str) -> Ske
 
 def _stands_behind(links: str, text: str, sentence: str) -> bool:
     return bool(re.search(_BEFORE.format(links, re.escape(text)), sentence, re.I))
+
+
+def unsaid(
+    calls: Sequence[SketchCall], actions: Sequence[ActionSignature], sentence: str
+) -> set[str]:
+    """The verbs that the sentence says and that no call is of; none where it says "not"."""
+    found = words(sentence)
+    if set(found) & _NEGATIONS:
+        return set()
+    said = {stem(each) for each in found}
+    called = {call.action for call in calls}
+    return {a.name for a in actions if a.name not in called and _said(a.name, said)}
+
+
+def _said(action: str, said: set[str]) -> bool:
+    """Whether all words of its name but the smallest stand in the sentence."""
+    parts = [stem(each) for each in words(action) if len(each) > 2 and each not in _SMALL]
+    return bool(parts) and all(part in said for part in parts)
+
+
+_SMALL = frozenset(("and", "into", "onto", "with", "from", "obj", "object", "item"))
+_NEGATIONS = frozenset(
+    ("not", "don't", "dont", "never", "no", "without", "instead", "rather", "leave")
+)

@@ -126,7 +126,11 @@ def spoken_of(phrase: Phrase, sentence: str) -> Phrase:
     said = set(words(sentence))
     if not said & _ENGLISH or not phrase.relations:
         return phrase
-    kept = tuple((key, other) for key, other in phrase.relations if said & SPOKEN_RELATIONS[key])
+    kept = tuple(
+        (key, other)
+        for key, other in phrase.relations
+        if said & SPOKEN_RELATIONS[key] and other != phrase.text
+    )
     return replace(phrase, relations=kept)
 
 
