@@ -8,7 +8,7 @@ from app.domain.scene import SceneObject
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.names import words
 from app.programs.sketch import Phrase
-from app.programs.sketch_matching import COUNTS
+from app.programs.sketch_matching import COUNTS, EXACT
 from app.programs.sketch_qualities import Fits
 from app.programs.sketch_selection import Found, Judge, Selection, affording
 from app.programs.sketch_things import Thing, read_things
@@ -80,9 +80,12 @@ class HomeSelection(Selection):
 
         Last of all what is named after the thing: a coffee pot where coffee is wanted.
         """
+        said = words(phrase.text)
+        whole = [t for t in self.things if self._named[t.name] == "".join(said)]
+        if whole and whole[0].name not in without:
+            return [(whole[0], EXACT)]
         if found := self._fitting(phrase, without):
             return found
-        said = words(phrase.text)
         place = next((i for i, word in enumerate(said) if i and word in _LINKS), len(said) - 1)
         for shorter in (said[:place], said[: len(said) - 1]):
             if shorter and (found := self._fitting(Phrase(text=" ".join(shorter)), without)):
