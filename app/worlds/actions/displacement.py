@@ -82,8 +82,8 @@ def _moved(facts: Facts, item: str, place: Place, near: set[str]) -> Effects:
     removes = {fact for fact in facts if _tells_place(fact, moved) or _is_at(fact, moved)}
     adds = {
         fact
-            for fact in removes
-            if fact.name not in ("at", "held", "handed_over") and set(fact.arguments) <= moved
+        for fact in removes
+        if fact.name not in ("at", "held", "handed_over") and set(fact.arguments) <= moved
     }
     x, y = (f"{value:.4f}" for value in place)
     adds |= {Relation("at", (name, x, y)) for name in moved}
