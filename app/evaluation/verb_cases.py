@@ -86,6 +86,12 @@ def _pick(rng: Rng) -> Case:
     return Case(scene=scene, seed=seed, arguments=(item,), wanted=(Relation("held", (item,)),))
 
 
+def _handover(rng: Rng) -> Case:
+    scene, seed, (item,) = _table(rng, str(rng.choice(_items())), spare=3)
+    wanted = (Relation("handed_over", (item,)),)
+    return Case(scene=scene, seed=seed, arguments=(item,), wanted=wanted)
+
+
 def _home(rng: Rng) -> Case:
     scene, seed, (item,) = _table(rng, str(rng.choice(_items())), spare=3)
     return Case(scene=scene, seed=seed, arguments=(), before=(("pick", (item,)),), wanted=())
@@ -174,6 +180,7 @@ def _without(scene: Scene, name: str) -> tuple[tuple[float, float, float], Scene
 CASES: dict[str, Callable[[Rng], Case]] = {
     "pick": _pick,
     "home": _home,
+    "handover": _handover,
     "place_on": _onto(
         lambda: ["block", "can", "cup", "lime", "sponge"], lambda: list(SUPPORTS), "on"
     ),

@@ -82,6 +82,12 @@ class Composer:
         """Raise ``TaskDeclined`` where the call can hurt somebody."""
         place = place_of(self._signatures[call.action], ())
         names = [each for each in call.arguments if isinstance(each, str)]
+        if call.action == HANDOVER and (rule := hazard(names[0], "person")):
+            raise TaskDeclined(
+                f"{names[0]} handed to a person: {rule.reason}",
+                kind="hazardous",
+                question=f"Where on the table should the {names[0]} go instead?",
+            )
         if place is None or len(names) != 2 or place > 1:
             return
         thing, target = names[1 - place], names[place]
@@ -455,3 +461,5 @@ def _refuse_beside(call: SketchCall, sentence: str) -> None:
 
 PILING = word_list("piling")
 BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
+HANDOVER = "handover"
+"""The verb that brings a thing to a person, whether or not one is named."""

@@ -15,6 +15,7 @@ PLACES = {
 CASES = {
     "close": (("hinged box",), ["closed(hinged box)"]),
     "grab_and_putin": (("block", "box"), ["in(block, box)"]),
+    "handover": (("block",), ["handed_over(block)"]),
     "home": ((), ["upright(block)"]),
     "open": (("drawer",), ["open(drawer)"]),
     "pick": (("block",), ["held(block)"]),

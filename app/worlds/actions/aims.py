@@ -1,6 +1,7 @@
 """Aims: where an object is to come to: into or onto another, beside it, or to a place."""
 
 from collections.abc import Mapping
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from app.domain.condition import Relation
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.destination import Destination
 from app.worlds.simulators.mujoco.outline import KnownOutlines
-from app.worlds.simulators.mujoco.relations import BESIDE
+from app.worlds.simulators.mujoco.relations import ACROSS, BESIDE
 from app.worlds.simulators.mujoco.table_room import TableRoom, TopMiddle
 from app.worlds.simulators.mujoco.workcell import Workcell
 
@@ -30,6 +31,8 @@ ACCURACY = 0.03
 """An object put at a place may stand so far from it [m]."""
 NEXT_TO = 0.012
 """Where something is in the way, a place so near the one asked for will do [m]."""
+FARTHEST = 0.72
+"""From the robot's base, what the stretched arm still puts down from above [m]."""
 ANYWHERE = 0.25
 """How far from the arm's hand something is put down that has no place of its own [m]."""
 
@@ -127,3 +130,29 @@ class At:
     def room(self, clouds: Mapping[str, Cloud]) -> Destination:
         """That place, or one next to it."""
         return TableRoom(clouds, self._item, self._place, self._within)
+
+
+class Across:
+    """On the far strip of the table, before the person who sits across from the robot."""
+
+    WISH: ClassVar[tuple[float, float]] = (ACROSS + 0.015, 0.0)
+    """Straight ahead, well on the strip; farther out the arm would be stretched [m]."""
+
+    def __init__(self, cell: Workcell, item: str) -> None:
+        self._cell, self._item = cell, item
+        self.looked_at = ()
+        self.missed = "did not stay within the person's reach"
+
+    def reached(self) -> bool:
+        """Whether it stands there and nothing holds it."""
+        relations = self._cell.relations
+        ahead = float(relations.place(self._item)[0]) > ACROSS
+        return ahead and relations.on_table(self._item)
+
+    def room(self, clouds: Mapping[str, Cloud]) -> Destination:
+        """Free places on that strip, the one straight ahead first."""
+
+        def allowed(places: Array) -> NDArray[np.bool_]:
+            return places[..., 0] > ACROSS + 0.010
+
+        return TableRoom(clouds, self._item, np.array(self.WISH), ANYWHERE, allowed, FARTHEST)

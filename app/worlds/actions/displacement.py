@@ -81,7 +81,9 @@ def _moved(facts: Facts, item: str, place: Place, near: set[str]) -> Effects:
     moved = with_riders(facts, item)
     removes = {fact for fact in facts if _tells_place(fact, moved) or _is_at(fact, moved)}
     adds = {
-        fact for fact in removes if fact.name not in ("at", "held") and set(fact.arguments) <= moved
+        fact
+        for fact in removes
+        if fact.name not in ("at", "held", "handed_over") and set(fact.arguments) <= moved
     }
     x, y = (f"{value:.4f}" for value in place)
     adds |= {Relation("at", (name, x, y)) for name in moved}
@@ -114,7 +116,7 @@ def _tells_place(fact: Relation, moved: set[str]) -> bool:
     """Whether the fact says where one of the moved objects is; what they carry is not meant."""
     if fact.name in _PAIRED:
         return bool(moved & set(fact.arguments))
-    return fact.name in ("in", "on", "held") and fact.arguments[0] in moved
+    return fact.name in ("in", "on", "held", "handed_over") and fact.arguments[0] in moved
 
 
 def _is_at(fact: Relation, moved: set[str]) -> bool:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from app.domain.condition import Relation
 from app.worlds.simulators.mujoco.collision import robot_bodies
 from app.worlds.simulators.mujoco.physics import Physics
+from app.worlds.simulators.mujoco.placement import REACH
 from app.worlds.simulators.mujoco.scene_builder import ObjectBody
 from app.worlds.simulators.mujoco.surface import surface_points
 
@@ -23,7 +24,7 @@ Array = NDArray[np.float64]
 
 RELATIONS = {
     "in": 2, "on": 2, "left_of": 2, "right_of": 2, "in_front_of": 2, "behind": 2, "near": 2,
-    "upright": 1, "held": 1, "open": 1, "closed": 1, "clear": 1,
+    "upright": 1, "held": 1, "open": 1, "closed": 1, "clear": 1, "handed_over": 1,
 }  # fmt: skip
 """What can be decided, with the number of arguments."""
 TOUCH = 0.001
@@ -41,6 +42,9 @@ SUNK = 0.002
 """What lies on the container itself must reach so far below its rim to be in it [m]."""
 AJAR, SHUT = 0.6, 0.08
 """What has a lid, door or drawer is open from this share of its travel on, and closed up to that."""
+ACROSS = REACH[1] + 0.005
+"""What stands so far ahead of the robot is within reach of the person across the table [m]; no scene
+begins with an object there."""
 CARRIES = 0.5
 """The upward part of the normal from which on a contact carries what is above it."""
 
@@ -82,6 +86,8 @@ class Relations:
         - ``open(a)``: a is a container, and its lid, door or drawer, if it has one, is open.
         - ``closed(a)``: a has a lid, door or drawer, and it is shut; it may be neither.
         - ``clear(a)``: nothing is on a.
+        - ``handed_over(a)``: a stands on the table, its middle at least ``ACROSS`` ahead of the robot,
+          before the person on the other side, and nothing holds it.
         """
         items = [self._bodies.get(name) for name in relation.arguments]
         if None in items or len(items) != RELATIONS.get(relation.name):
@@ -243,6 +249,11 @@ class Relations:
 
     def _clear(self, item: ObjectBody) -> bool:
         return not any(self._on(other, item) for other in self._bodies.values())
+
+    def _handed_over(self, item: ObjectBody) -> bool:
+        if not self._on_ground(item) or self._held(item):
+            return False
+        return bool(self.place(item.name)[0] > ACROSS)
 
     def _near(self, item: ObjectBody, other: ObjectBody) -> bool:
         if item is other or self._far_apart(item, other):

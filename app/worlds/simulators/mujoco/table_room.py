@@ -44,6 +44,7 @@ class TableRoom(Destination):
         wish: Array,
         within: float,
         allowed: Allowed = lambda places: np.ones(places.shape[:2], bool),
+        farthest: float = FARTHEST,
     ) -> None:
         """Map what stands there.
 
@@ -53,6 +54,7 @@ class TableRoom(Destination):
             wish: where its middle should come to, shape (2,), base frame [m].
             within: how far from there it may [m].
             allowed: which of those places are meant.
+            farthest: how far from the robot's base they may be [m].
         """
         self.centre, self.rim = np.asarray(wish, float), 0.0
         others = [cloud for name, cloud in clouds.items() if name != moved]
@@ -62,7 +64,7 @@ class TableRoom(Destination):
         self.relief.heights = ndimage.maximum_filter(self.relief.heights, size=MARGIN_CELLS)
         places = self.relief.places
         close = np.linalg.norm(places - self.centre, axis=-1) <= within + 1e-9
-        self.relief.usable = close & _in_reach(places) & allowed(places)
+        self.relief.usable = close & _in_reach(places, farthest) & allowed(places)
 
     def landings(self, points: Array, middle: Array, turns: Array) -> list[Landing]:
         """Ways to put an object down on the table; see ``Destination.landings``."""
@@ -116,10 +118,10 @@ class TopMiddle(Destination):
         return aligned + [Landing(t, Spot(*spot, 0.05 + 0.01 * abs(t))) for t in turns.tolist()]
 
 
-def _in_reach(places: Array) -> NDArray[np.bool_]:
+def _in_reach(places: Array, farthest: float) -> NDArray[np.bool_]:
     distance = np.hypot(places[..., 0], places[..., 1])
     bearing = np.abs(np.arctan2(places[..., 1], places[..., 0]))
-    return (distance > BASE_RADIUS + 0.08) & (distance < FARTHEST) & (bearing < SECTOR)
+    return (distance > BASE_RADIUS + 0.08) & (distance < farthest) & (bearing < SECTOR)
 
 
 def _squared(points: Array) -> float:
