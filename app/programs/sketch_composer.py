@@ -25,7 +25,7 @@ from app.programs.sketch_order import in_order
 from app.programs.sketch_phrase import describe_phrase, spoken_of
 from app.programs.sketch_qualities import far_larger, ordered
 from app.programs.sketch_selection import Selection, is_container
-from app.programs.sketch_sets import COLLECTIVE, counted, is_plural, means_all, movable
+from app.programs.sketch_sets import COLLECTIVE, counted, halved, is_plural, means_all, movable
 from app.programs.sketch_sharing import sharing
 from app.programs.sketch_things import Thing, listed
 from app.programs.sketch_verbs import DIRECTIONS, LITERAL, PERSONS, SPOKEN, place_of, righted
@@ -50,6 +50,7 @@ class Composer:
         self._selection = selection
         self._signatures = {action.name: action for action in actions}
         self._taken: set[str] = set()
+        self._moved: list[str] = []
         self._named: set[str] = set()
         self._sureness = 1.0
 
@@ -69,7 +70,7 @@ class Composer:
         self._name(calls)
         body: list[Statement] = []
         still: list[Statement] = []
-        for call in calls:
+        for call in dict.fromkeys(calls):
             body += self._statements(call, still)
         if not any(isinstance(each, ActionCall) for each in body):
             body = still
@@ -150,6 +151,11 @@ class Composer:
             several = [1 - place if place is not None and len(call.arguments) == 2 else 0]
         return self._spelt_out(call, signature, several[0], still)
 
+    @property
+    def _last(self) -> str | None:
+        """What was moved last: the top of a pile."""
+        return self._moved[-1] if self._moved else None
+
     def _take(self, names: Iterable[str]) -> None:
         self._taken |= (taken := set(names))
         self._selection.spoken |= taken
@@ -176,6 +182,7 @@ class Composer:
             found[i] = value
         values = tuple(found[i] for i in range(len(call.arguments)))
         self._take(each for each in values if isinstance(each, str))
+        self._moved += [str(values[1 - place])] if place is not None and len(values) == 2 else []
         return [ActionCall(action=call.action, arguments=values)]
 
     def _value(
@@ -186,6 +193,8 @@ class Composer:
             return argument if isinstance(argument, float) else None
         if (word := self._word(argument, parameter)) is not None:
             return word
+        if holds and self._last and set(words(argument.text)) <= TOP:
+            return self._last
         if argument.quantity == "all" and argument.count == 1:
             return self._any_one(argument, without, parameter.affordance)
         if not self._selection.possible(argument, without) and self._selection.possible(argument):
@@ -344,6 +353,7 @@ class Composer:
         if described.vague and (not told or self._elliptic(argument)):
             found = movable(found, self._selection)
         found = ordered(found, argument.order)
+        argument = halved(argument, self._selection.sentence, len(found))
         if argument.count is not None:
             return self._counted(argument, found, fixed)
         if not found:
@@ -412,6 +422,8 @@ class Composer:
         self, members: list[Thing], spread: Each, targets: Sequence[Thing]
     ) -> list[tuple[Thing, Thing | None]]:
         need = len(targets) * spread.count
+        if len(targets) <= len(members) < need:  # "one each": a number that was not meant so
+            return list(zip(members, targets, strict=False))
         if len(members) < need:
             raise TaskDeclined(
                 f"{need} are needed for {listed([t.name for t in targets])}, and there are only "
@@ -452,7 +464,7 @@ def _refuse_beside(call: SketchCall, sentence: str) -> None:
     texts = {each.text for each in phrases}
     for phrase in phrases:
         for key, other in spoken_of(phrase, sentence).relations:
-            if other in texts and key in BESIDE and key not in call.action:
+            if other in texts - {phrase.text} and key in BESIDE and key not in call.action:
                 raise TaskDeclined(
                     f"{call.action} puts things in or on {other}, not {key.replace('_', ' ')} it",
                     kind="impossible",
@@ -460,6 +472,8 @@ def _refuse_beside(call: SketchCall, sentence: str) -> None:
 
 
 PILING = word_list("piling")
+TOP = frozenset(("very", "top", "of", "it", "all", "pile", "stack", "tower", "that", "the"))
+"""Words of a place that is on top of what was put there last."""
 BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
 HANDOVER = "handover"
 """The verb that brings a thing to a person, whether or not one is named."""

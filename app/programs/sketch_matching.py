@@ -79,7 +79,7 @@ def _words_fit(thing: Thing, core: tuple[str, ...]) -> float:
     if all(each in VAGUE for each in core):
         return 0.0
     found = _known_fit(thing, wanted)
-    if found >= COUNTS or len(core) == 1:
+    if found >= HEAD or len(core) == 1:
         return found
     return max(found, _modified_fit(thing, core))
 

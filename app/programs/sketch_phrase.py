@@ -126,11 +126,12 @@ def spoken_of(phrase: Phrase, sentence: str) -> Phrase:
     said = set(words(sentence))
     if not said & _ENGLISH or not phrase.relations:
         return phrase
-    kept = tuple(
-        (key, other)
-        for key, other in phrase.relations
-        if said & SPOKEN_RELATIONS[key] and other != phrase.text
-    )
+    kept = tuple((key, other) for key, other in phrase.relations if said & SPOKEN_RELATIONS[key])
+    around = [(key, other) for key, other in kept if other == phrase.text]
+    if around and around[0][0] in ("inside", "on"):  # What is in the flask is the flask's.
+        kept = tuple(pair for pair in kept if pair not in around)
+    elif around:
+        return replace(phrase, text="thing", relations=kept)
     return replace(phrase, relations=kept)
 
 

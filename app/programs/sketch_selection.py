@@ -43,9 +43,30 @@ told by its name and by what it is for."""
 ALIKE, ALIKE_MARGIN = 0.45, 0.05
 """Likeness of meaning, a cosine, from which words are taken to mean a thing."""
 PLAINLY, USE_MARGIN = 0.6, 0.06
+_WHATEVER = frozenset(("whatever", "everything", "anything", "all", "things"))
 """From which likeness on a clause tells plainly what is meant, before any class is asked."""
 _CLAUSE_WORDS = frozenset(("for", "to", "that", "which", "you", "i", "we", "with", "made", "used"))
-_SAID_OF_ALL = frozenset(("that", "which", "one", "something", "will", "can"))
+_SAID_OF_ALL = frozenset(
+    (
+        "that",
+        "which",
+        "one",
+        "something",
+        "will",
+        "can",
+        "could",
+        "would",
+        "me",
+        "my",
+        "it",
+        "i",
+        "you",
+        "we",
+        "that'll",
+        "you'd",
+        "i'd",
+    )
+)
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (
     r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
@@ -196,7 +217,7 @@ class Selection:
             return found
         if described.other:
             without = {*without, *(self.spoken or self.earlier)}
-        if found := self._used_so(described, without):
+        if found := self._used_so(described, phrase, without):
             return self._qualified(described, found, phrase.quantity == "all")
         nouns = self._nouns(described, phrase, without)
         found = self._qualified(described, nouns, phrase.quantity == "all")
@@ -248,13 +269,15 @@ class Selection:
         best = max((score for _, score in scored), default=0.0)
         return [(t, SLIP + 0.1 * score) for t, score in scored if score and score >= best - 0.03]
 
-    def _used_so(self, described: Description, without: Collection[str]) -> Fits:
+    def _used_so(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:
         """The things a clause plainly tells of by their use: "the thing i dry my hair with"."""
         if not is_clause(described):
             return []
         scores = self._likenesses(described, without)
         best = max(scores, default=(0.0, None), key=lambda pair: pair[0])[0]
-        return [(t, KIND) for s, t in scores if t and s >= PLAINLY and s >= best - USE_MARGIN]
+        several = phrase.quantity == "all" or _WHATEVER & set(words(self.sentence))
+        least = max(PLAINLY if best >= PLAINLY else 1.0, best - (USE_MARGIN if several else 0.0))
+        return [(thing, KIND) for likely, thing in scores if likely >= least]
 
     def _judged(self, described: Description, without: Collection[str]) -> Fits:
         """By likeness of meaning, for descriptions and for words that no knowledge covers."""
@@ -304,7 +327,7 @@ class Selection:
         if described.sizes:
             kept = sized(kept, described, many)
         for key, other in described.relations:
-            kept = self._related(kept, key, other)
+            kept = self._related(kept, key, other, many=many)
         for excluded in described.excluded:
             kept = self._excluding(kept, excluded)
         if described.side or described.superlative or described.ordinal:
@@ -322,7 +345,7 @@ class Selection:
             out = {t.name for t, _ in kept if said and said <= {normal(w) for w in t.words}}
         return [(thing, score) for thing, score in kept if thing.name not in out]
 
-    def _related(self, kept: Fits, key: str, other: str) -> Fits:
+    def _related(self, kept: Fits, key: str, other: str, *, many: bool) -> Fits:
         """Those that stand so to the other thing."""
         anchors = self._fitting(Phrase(text=_bare(other)), ())
         best = max((score for _, score in anchors), default=0.0)
@@ -341,7 +364,9 @@ class Selection:
             return [min(placed, key=lambda pair: distance(pair[0], here))]
         axis, sign = AXES[key]
         beyond = [(t, s) for t, s in placed if sign * (stands(t)[axis] - here[axis]) > 0.005]
-        return beyond
+        if many or len(beyond) < 2:
+            return beyond
+        return [min(beyond, key=lambda pair: distance(pair[0], here))]
 
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
@@ -351,7 +376,8 @@ class Selection:
 def is_clause(described: Description) -> bool:
     """Whether the words tell what a thing is for, and do not name it."""
     said = words(described.text)
-    return len(said) > 2 and bool(_CLAUSE_WORDS & set(said[1:]))
+    told = described.materials or described.colours or described.relations
+    return len(said) > 2 and not told and bool(_CLAUSE_WORDS & set(said[1:]))
 
 
 def affording(found: Fits, affordance: str | None) -> Fits:

@@ -64,6 +64,15 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
     return replace(phrase, count=said.pop()) if len(said) == 1 else phrase
 
 
+def halved(phrase: Phrase, sentence: str, found: int) -> Phrase:
+    """With half of what is found as its number, where the sentence says "half of the eggs"."""
+    spoken = r"\s+".join(map(re.escape, phrase.text.split()))
+    half = re.search(
+        rf"\bhalf\s+(?:of\s+)?(?:the|these|those|my|your)?\s*{spoken}\b", sentence, re.I
+    )
+    return replace(phrase, count=found // 2) if half and found > 1 else phrase
+
+
 def means_all(phrase: Phrase, sentence: str) -> bool:
     """Whether "what you can write with" stands behind a single thing one can write with."""
     said = set(words(sentence))

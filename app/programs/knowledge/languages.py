@@ -65,6 +65,8 @@ def translated(word: str) -> str | None:
         stem = word.removesuffix(ending)
         if stem != word and len(stem) > 2 and (stem in table or f"{stem}e" in table):
             return table.get(stem) or table[f"{stem}e"]
+    if match := re.fullmatch(r"(.+)([aeou])([^aeiou])en", word):  # Dutch potloden of potlood
+        return table.get(f"{match[1]}{match[2] * 2}{match[3]}")
     return None
 
 
