@@ -1,10 +1,10 @@
 """Sentence → sketch of activities → program: the household's own planner."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from app.domain.action import ActionSignature
 from app.domain.errors import ProgramRefused, TaskDeclined
-from app.domain.llm import LanguageModel
+from app.domain.llm import Completion, LanguageModel
 from app.domain.planner import Draft, Report, Task
 from app.domain.program import ActionCall, Comment, Pass, Program, Statement
 from app.llm.meaning import likeness
@@ -12,12 +12,15 @@ from app.planners import planners
 from app.programs.activities import Activity, Home, load_activities
 from app.programs.home_selection import HomeSelection
 from app.programs.printer import print_program
-from app.programs.sketch_composer import Composer
+from app.programs.sketch_composer import Composer, Composition
 from app.programs.sketch_grammar import sketch_grammar
 from app.programs.sketch_parser import parse_sketch
 from app.programs.sketch_prompt import STOP, write_sketch_prompt
 from app.programs.sketch_wording import plain_english
 from app.programs.transcript import Transcript, sketch_request
+
+MOST_ASKED = 3
+"""Sketches asked for, each without the activities that did not suit the things before."""
 
 
 @planners.register("activities")
@@ -39,28 +42,27 @@ class Activities:
             TaskDeclined: something is absent, impossible or hazardous, or is no activity.
             Cancelled: ``report`` asked for it.
         """
-        known = {each.signature.name: each for each in load_activities(task.scene.world)}
-        signatures = tuple(each.signature for each in known.values())
-        sentence = plain_english(task.instruction.text, task.scene.names)
-        prompt = write_sketch_prompt(sentence, signatures, task.history)
-        transcript = Transcript(task.options.name, model, prompt, report)
-        grammar = sketch_grammar(signatures, sentence)
-        completion = transcript.ask(sketch_request(task.options, model, prompt, STOP, grammar))
-        transcript.wrote(completion.text)
-        selection = HomeSelection(task.scene.objects, task.facts, task.instruction.text, likeness)
+        asking = _Asking(task, model, report)
+        completion = asking.ask(())
         try:
-            composed = Composer(selection, signatures).compose(parse_sketch(completion.text))
-            home = Home(task.scene.objects, feedback=task.options.feedback)
-            body = tuple(_carried_out(composed.body, known, selection, home))
+            composed, unsuited = asking.understood(completion)
+            for _ in range(MOST_ASKED - 1):
+                if not unsuited:
+                    break
+                completion = asking.ask(unsuited)
+                composed, more = asking.understood(completion)
+                unsuited = unsuited | more if more else frozenset()
+            asking.transcript.wrote(completion.text)
+            body = tuple(asking.carried_out(composed.body))
         except ProgramRefused as refused:
             reason = f"what the model {model.name} wrote is no sketch: {refused}"
-            raise transcript.failure(reason) from refused
+            raise asking.transcript.failure(reason) from refused
         except TaskDeclined as declined:
-            declined.prompt, declined.completion = prompt, completion
+            declined.prompt, declined.completion = asking.transcript.prompt, completion
             raise
         program = Program(name=task.instruction.function_name, body=body)
         return Draft(
-            prompt=prompt,
+            prompt=asking.transcript.prompt,
             completion=completion,
             program=print_program(program),
             confidence=composed.sureness,
@@ -73,13 +75,71 @@ class Activities:
         return write_sketch_prompt("", signatures).partition("\n")[0] + "\n"
 
 
-def _carried_out(
-    body: Sequence[Statement], known: dict[str, Activity], selection: HomeSelection, home: Home
-) -> Iterator[Statement]:
-    for statement in body:
-        if isinstance(statement, ActionCall):
-            names = [selection.class_name(str(each)) for each in statement.arguments]
-            yield from home.carry_out(known[statement.action], names)
-        elif not isinstance(statement, Comment):
-            yield statement
-    yield home.done() if body else Pass()
+class _Asking:
+    """One task: its prompt, the activities, and the home they are carried out in."""
+
+    def __init__(self, task: Task, model: LanguageModel, report: Report) -> None:
+        self._task = task
+        self._model = model
+        self._known: Mapping[str, Activity] = {
+            each.signature.name: each for each in load_activities(task.scene.world)
+        }
+        self._signatures = tuple(each.signature for each in self._known.values())
+        self._sentence = plain_english(task.instruction.text, task.scene.names)
+        prompt = write_sketch_prompt(self._sentence, self._signatures, task.history)
+        self.transcript = Transcript(task.options.name, model, prompt, report)
+        self._home = Home(task.scene.objects, feedback=task.options.feedback)
+        self._selection = self._looking()
+
+    def _looking(self) -> HomeSelection:
+        task = self._task
+        return HomeSelection(task.scene.objects, task.facts, task.instruction.text, likeness)
+
+    def ask(self, unsuited: Collection[str]) -> Completion:
+        """A sketch of the activities that the sentence may mean, without these."""
+        meant = [
+            each.signature
+            for name, each in self._known.items()
+            if name not in unsuited and each.may_be_meant(self._sentence)
+        ]
+        plainly = any(not each.parameters and self._known[each.name].said_with for each in meant)
+        grammar = sketch_grammar(meant, self._sentence, declines=not plainly)
+        return self.transcript.ask(
+            sketch_request(self._task.options, self._model, self.transcript.prompt, STOP, grammar)
+        )
+
+    def understood(self, completion: Completion) -> tuple[Composition, frozenset[str]]:
+        """The sketch's calls over the home's things, and the activities that do not suit them.
+
+        Raises:
+            ProgramRefused: it is no sketch.
+            TaskDeclined: something is absent or impossible.
+        """
+        self._selection = self._looking()
+        composed = Composer(self._selection, self._signatures).compose(
+            parse_sketch(completion.text)
+        )
+        unsuited = {
+            call.action
+            for call in composed.body
+            if isinstance(call, ActionCall)
+            and not self._home.suits(self._known[call.action], self._names(call))
+        }
+        return composed, frozenset(unsuited)
+
+    def carried_out(self, body: Sequence[Statement]) -> Iterator[Statement]:
+        """The primitives of the calls, each sub-task under its comment.
+
+        Raises:
+            TaskDeclined: the home lacks something that an activity takes.
+        """
+        for statement in body:
+            if isinstance(statement, ActionCall):
+                activity = self._known[statement.action]
+                yield from self._home.carry_out(activity, self._names(statement))
+            elif not isinstance(statement, Comment):
+                yield statement
+        yield self._home.done() if body else Pass()
+
+    def _names(self, call: ActionCall) -> list[str]:
+        return [self._selection.class_name(str(each)) for each in call.arguments]

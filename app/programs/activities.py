@@ -19,9 +19,20 @@ from app.domain.errors import TaskDeclined
 from app.domain.program import ActionCall, Assertion, Comment, Statement, Variable
 from app.domain.scene import SceneObject
 from app.programs.examples import FOLDER
+from app.programs.knowledge.classes import belonging, classes
 from app.programs.knowledge.compounds import apart
+from app.programs.knowledge.names import words
 from app.programs.parser import parse_program
 
+
+def _is(name: str, other: str) -> bool:
+    """Whether the thing is the other one, or of its class."""
+    kind = classes().find(other)
+    return name == other or bool(kind and belonging(apart(name), kind) >= CLEARLY)
+
+
+CLEARLY = 0.7
+"""How surely a thing belongs to a class that an activity is not for."""
 AFFORDED: Mapping[str, str] = {
     "grab": "grabbable",
     "put": "containers|surfaces",
@@ -44,6 +55,15 @@ class Activity:
 
     signature: ActionSignature
     body: tuple[Statement, ...]
+    said_with: frozenset[str] = frozenset()
+    """Words or phrases of which one stands in every sentence that asks for it; none for any."""
+    not_for: frozenset[str] = frozenset()
+    """Things, and classes of things, that nobody does it with."""
+
+    def may_be_meant(self, sentence: str) -> bool:
+        """Whether the sentence can ask for it, by its words."""
+        said = f" {' '.join(words(sentence))} "
+        return not self.said_with or any(f" {each} " in said for each in self.said_with)
 
 
 @cache
@@ -59,20 +79,38 @@ def _activity(text: str) -> Activity:
     name, parameters = _HEAD.search(text).groups()
     called = ", ".join(f"'{each}'" for each in parameters.split(", ") if each)
     helper = parse_program(f"{text}\n\ndef task():\n    {name}({called})\n").helpers[0]
-    meaning = text.split('"""')[1].strip() if text.startswith('"""') else ""
+    told = text.split('"""')[1].strip() if text.startswith('"""') else ""
+    meaning = told.partition("\n\n")[0]
     taken = tuple(
         Parameter(name=each, affordance=_needed(each, helper.body)) for each in helper.parameters
     )
     signature = ActionSignature(name=helper.name, parameters=taken, meaning=meaning)
-    return Activity(signature=signature, body=helper.body)
+    return Activity(
+        signature=signature,
+        body=helper.body,
+        said_with=_listed(told, "Said with: "),
+        not_for=_listed(told, "Not for: "),
+    )
+
+
+def _listed(told: str, label: str) -> frozenset[str]:
+    """What a line of the docstring lists after its label."""
+    line = next((each for each in told.splitlines() if each.startswith(label)), label)
+    listed = line.removeprefix(label).rstrip(".").split(",")
+    return frozenset(each.strip() for each in listed if each.strip())
 
 
 def _needed(parameter: str, body: Sequence[Statement]) -> str | None:
-    """What the first call that is made on the parameter takes it to afford."""
-    for call in body:
-        if isinstance(call, ActionCall) and call.arguments and parameter == str(call.arguments[-1]):
-            return AFFORDED.get(call.action)
-    return None
+    """What the calls on the parameter take it to afford, those first that cannot be left out."""
+    verbs = [
+        call.action
+        for call in body
+        if isinstance(call, ActionCall) and call.arguments and parameter == str(call.arguments[-1])
+    ]
+    if parameter in RUN:
+        return "has_switch"
+    verbs.sort(key=lambda verb: verb in DROPPED)
+    return next((AFFORDED[verb] for verb in verbs if verb in AFFORDED), None)
 
 
 class Home:
@@ -87,6 +125,16 @@ class Home:
         self._near = ""
         """What was walked up to last."""
         self._sub_tasks = 0
+
+    def suits(self, activity: Activity, arguments: Sequence[str]) -> bool:
+        """Whether each of the things affords what the activity does with it."""
+        if any(_is(name, each) for name in arguments for each in activity.not_for):
+            return False
+        return all(
+            parameter.affordance is None
+            or self._affords[name] & set(parameter.affordance.split("|"))
+            for parameter, name in zip(activity.signature.parameters, arguments, strict=True)
+        )
 
     def carry_out(self, activity: Activity, arguments: Sequence[str]) -> Iterator[Statement]:
         """The activity with these things, in primitives.
@@ -160,6 +208,8 @@ class Home:
         return "putin" if inside and affords & {"containers", "can_open"} else "putback"
 
 
+RUN = ("machine", "device", "computer")
+"""Names of parameters for what is switched on."""
 STATES: Mapping[str, str] = {
     "open": "open",
     "close": "closed",

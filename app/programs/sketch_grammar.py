@@ -45,16 +45,19 @@ def sketch_grammar(
     earlier: Sequence[str] = (),
     *,
     each: bool = False,
+    declines: bool = True,
 ) -> str:
     """The grammar of everything after the prompt: indented calls, or a decline; then an empty line.
 
     Without a sentence the words for things are free. ``earlier`` are names that turns before this
-    one used; the sentence may refer to them. With ``each`` every action is called exactly once.
+    one used; the sentence may refer to them. With ``each`` every action is called exactly
+    once; ``declines`` says whether it may be declined.
     """
     calls = [f"{_text(f'{action.name}(')} {_arguments(action)} {_text(')')}" for action in actions]
     declined = f'{_text(f"{INDENT}decline(")} "\'impossible\'" {_text(")")} "\\n"'
-    steps = f"step{{1,{MAX_CALLS}}} | " if calls else ""
-    rules = [f'root ::= ({steps}declined) "\\n"', f"declined ::= {declined}"]
+    steps = [f"step{{1,{MAX_CALLS}}}"] if calls else []
+    steps += ["declined"] if declines or not calls else []
+    rules = [f'root ::= ({" | ".join(steps)}) "\\n"', f"declined ::= {declined}"]
     if each:
         lines = [f'{_text(INDENT)} {call} "\\n"' for call in calls]
         orders = (" ".join(order) for order in permutations(lines))

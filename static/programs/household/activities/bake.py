@@ -1,4 +1,7 @@
-"""Bake food in the oven or stove; it stays inside."""
+"""Bake food in the oven or stove; it stays inside.
+
+Said with: bake, baked, roast, oven.
+"""
 
 
 def bake(food):

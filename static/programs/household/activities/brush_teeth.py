@@ -1,4 +1,7 @@
-"""Brush the teeth."""
+"""Brush the teeth.
+
+Said with: teeth, tooth.
+"""
 
 
 def brush_teeth():

@@ -1,4 +1,7 @@
-"""Make a telephone call."""
+"""Make a telephone call.
+
+Said with: call, phone, telephone, ring, friend.
+"""
 
 
 def call():

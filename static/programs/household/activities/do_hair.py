@@ -1,4 +1,7 @@
-"""Brush or comb the hair."""
+"""Brush or comb the hair.
+
+Said with: hair.
+"""
 
 
 def do_hair():

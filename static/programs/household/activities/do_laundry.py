@@ -1,4 +1,7 @@
-"""Wash the laundry in the washing machine, and take it out again."""
+"""Wash the laundry in the washing machine, and take it out again.
+
+Said with: laundry, washing.
+"""
 
 
 def do_laundry():

@@ -1,4 +1,7 @@
-"""Fry, cook or boil food on the stove; it is held in the end."""
+"""Fry, cook or boil food on the stove; it is held in the end.
+
+Said with: fry, fried, cook, boil, saute, pan, stove, pot.
+"""
 
 
 def fry(food):

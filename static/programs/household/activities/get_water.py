@@ -1,4 +1,7 @@
-"""A glass of water."""
+"""A glass of water.
+
+Said with: water, thirsty.
+"""
 
 
 def get_water():

@@ -1,4 +1,7 @@
-"""Go somewhere."""
+"""Go somewhere.
+
+Said with: go, walk, enter, move, head, come, visit, stand.
+"""
 
 
 def go_to(place):

@@ -1,4 +1,7 @@
-"""Go to bed."""
+"""Go to bed.
+
+Said with: sleep, bed, bedtime, nap.
+"""
 
 
 def go_to_sleep():

@@ -1,4 +1,7 @@
-"""Hang clothes up in the closet."""
+"""Hang clothes up in the closet.
+
+Said with: hang, closet, wardrobe, hanger.
+"""
 
 
 def hang_up(clothes):

@@ -1,4 +1,7 @@
-"""Warm food up; it is held in the end."""
+"""Warm food up; it is held in the end.
+
+Said with: heat, warm, microwave, reheat, hot, nuke, zap, heated, warmed.
+"""
 
 
 def heat(food):

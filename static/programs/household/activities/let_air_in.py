@@ -1,4 +1,7 @@
-"""Air the room."""
+"""Air the room.
+
+Said with: air, stuffy, ventilate, smells.
+"""
 
 
 def let_air_in():

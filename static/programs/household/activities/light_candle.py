@@ -1,4 +1,7 @@
-"""Light a candle."""
+"""Light a candle.
+
+Said with: light, lit, alight, burn, match, candle.
+"""
 
 
 def light_candle(candle):

@@ -1,4 +1,7 @@
-"""Make it dark: every kind of light."""
+"""Make it dark: every kind of light.
+
+Said with: light, lights, dark, bright.
+"""
 
 
 def lights_off():

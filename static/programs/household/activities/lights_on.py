@@ -1,4 +1,7 @@
-"""Make it bright: every kind of light."""
+"""Make it bright: every kind of light.
+
+Said with: light, lights, dark, bright, see.
+"""
 
 
 def lights_on():

@@ -1,4 +1,7 @@
-"""Make the bed."""
+"""Make the bed.
+
+Said with: bed.
+"""
 
 
 def make_bed():

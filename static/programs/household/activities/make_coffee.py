@@ -1,4 +1,7 @@
-"""Make coffee."""
+"""Make coffee.
+
+Said with: coffee, caffeine.
+"""
 
 
 def make_coffee():

@@ -1,4 +1,7 @@
-"""Make tea."""
+"""Make tea.
+
+Said with: tea, kettle.
+"""
 
 
 def make_tea():

@@ -1,4 +1,7 @@
-"""Make toast."""
+"""Make toast.
+
+Said with: toast.
+"""
 
 
 def make_toast():

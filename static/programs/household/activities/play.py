@@ -1,4 +1,7 @@
-"""Play with a toy, a game, an instrument."""
+"""Play with a toy, a game, an instrument.
+
+Said with: play, game, fun, practice.
+"""
 
 
 def play(game):

@@ -1,4 +1,7 @@
-"""Pour a drink into a glass or a cup."""
+"""Pour a drink into a glass or a cup.
+
+Said with: pour, fill, serve, glass, cup, into.
+"""
 
 
 def pour(drink, vessel):

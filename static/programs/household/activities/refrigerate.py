@@ -1,4 +1,7 @@
-"""Cool food in the fridge."""
+"""Cool food in the fridge.
+
+Said with: fridge, refrigerator, refrigerate, cool, chill, cold, spoil.
+"""
 
 
 def refrigerate(food):

@@ -1,4 +1,7 @@
-"""Sit down comfortably."""
+"""Sit down comfortably.
+
+Said with: relax, sit, seat, rest, break, unwind, comfortable.
+"""
 
 
 def relax():

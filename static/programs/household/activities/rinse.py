@@ -1,4 +1,7 @@
-"""Rinse a thing under running water."""
+"""Rinse a thing under running water.
+
+Said with: rinse, running, water, wash.
+"""
 
 
 def rinse(obj):

@@ -1,4 +1,7 @@
-"""Serve food on the table."""
+"""Serve food on the table.
+
+Said with: serve, dinner, table, guests.
+"""
 
 
 def serve(food):

@@ -1,4 +1,7 @@
-"""Set the table for a meal."""
+"""Set the table for a meal.
+
+Said with: table.
+"""
 
 
 def set_table():

@@ -1,4 +1,7 @@
-"""Shave."""
+"""Shave.
+
+Said with: shave, beard, razor.
+"""
 
 
 def shave():

@@ -1,4 +1,7 @@
-"""Stand up."""
+"""Stand up.
+
+Said with: stand, get up, rise, feet.
+"""
 
 
 def stand_up():

@@ -1,4 +1,7 @@
-"""Switch a device or a lamp off."""
+"""Switch a device or a lamp off.
+
+Said with: off, stop, shut, kill, power, deactivate, out.
+"""
 
 
 def switch_off(device):

@@ -1,4 +1,7 @@
-"""Switch a device or a lamp on."""
+"""Switch a device or a lamp on.
+
+Said with: on, start, power, activate, running, run, boot, play.
+"""
 
 
 def switch_on(device):

@@ -1,4 +1,7 @@
-"""Get the garbage out of the house."""
+"""Get the garbage out of the house.
+
+Said with: trash, garbage, rubbish, bin.
+"""
 
 
 def take_out_trash():

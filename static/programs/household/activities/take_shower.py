@@ -1,4 +1,7 @@
-"""Take a shower or a bath."""
+"""Take a shower or a bath.
+
+Said with: shower, bath, bathe, yourself.
+"""
 
 
 def take_shower():

@@ -1,4 +1,7 @@
-"""Make toast of bread."""
+"""Make toast of bread.
+
+Said with: toast, toasted, toaster.
+"""
 
 
 def toast(food):

@@ -1,4 +1,7 @@
-"""Go to the toilet."""
+"""Go to the toilet.
+
+Said with: toilet, restroom, loo, pee, bathroom.
+"""
 
 
 def use_toilet():

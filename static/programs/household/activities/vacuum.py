@@ -1,4 +1,7 @@
-"""Vacuum or sweep the floor."""
+"""Vacuum or sweep the floor.
+
+Said with: vacuum, vacuuming, hoover, sweep, carpet, floor.
+"""
 
 
 def vacuum():

@@ -1,4 +1,7 @@
-"""Wash a thing in the sink with soap and a sponge."""
+"""Wash a thing in the sink with soap and a sponge.
+
+Not for: clothes, linen, washingmachine, rug, towel, curtains, blanket.
+"""
 
 
 def wash(obj):

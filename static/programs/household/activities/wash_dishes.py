@@ -1,4 +1,7 @@
-"""Wash the dishes in the dishwasher or in the sink."""
+"""Wash the dishes in the dishwasher or in the sink.
+
+Said with: dish, dishes, washing up, wash up.
+"""
 
 
 def wash_dishes():

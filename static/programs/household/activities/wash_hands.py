@@ -1,4 +1,7 @@
-"""Wash the hands or the face."""
+"""Wash the hands or the face.
+
+Said with: hand, hands, face, freshen.
+"""
 
 
 def wash_hands():

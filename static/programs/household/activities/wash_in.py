@@ -1,4 +1,7 @@
-"""Wash a thing in a washing machine, a dishwasher or the like."""
+"""Wash a thing in a washing machine, a dishwasher or the like.
+
+Not for: washingmachine.
+"""
 
 
 def wash_in(obj, machine):

@@ -1,4 +1,7 @@
-"""Watch television."""
+"""Watch television.
+
+Said with: tv, television, movie, film, news, watch, game.
+"""
 
 
 def watch_tv():

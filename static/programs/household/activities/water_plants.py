@@ -1,4 +1,7 @@
-"""Water the plants."""
+"""Water the plants.
+
+Said with: plant, plants, flower, flowers, orchid.
+"""
 
 
 def water_plants():

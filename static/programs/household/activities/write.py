@@ -1,4 +1,7 @@
-"""Write a letter, a note."""
+"""Write a letter, a note.
+
+Said with: write, note, notes, jot, sign.
+"""
 
 
 def write(text):
