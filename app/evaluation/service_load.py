@@ -139,10 +139,9 @@ class _Watcher:
     async def watch(self) -> None:
         """Take pictures until cancelled."""
         protocol = Subprotocol(f"viser-v{viser.__version__}")
-        options = {"max_size": None, "compression": None}
         async with (
-            connect(f"{self._url}/playhead", **options) as page,
-            connect(self._url, subprotocols=[protocol], **options) as view,
+            connect(f"{self._url}/playhead", max_size=None, compression=None) as page,
+            connect(self._url, subprotocols=[protocol], max_size=None, compression=None) as view,
         ):
             await view.send(CAMERA)
             await asyncio.gather(self._look(view), self._replay(page))
