@@ -3,6 +3,7 @@
 import importlib
 import pkgutil
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Generic, TypeVar
 
 from app.domain.errors import UnknownName
@@ -38,6 +39,16 @@ class Registry(Mapping[str, T], Generic[T]):
             raise ValueError(f"two entries of {self._package} are called {name!r}")
         self._entries[name] = entry
         return entry
+
+    @contextmanager
+    def temporarily(self, name: str, entry: T) -> Iterator[T]:
+        """Have ``entry`` under ``name`` for as long as the context lasts."""
+        self._load()
+        self.add(name, entry)
+        try:
+            yield entry
+        finally:
+            del self._entries[name]
 
     def __getitem__(self, name: str) -> T:
         entries = self._load()

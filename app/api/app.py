@@ -28,8 +28,6 @@ def create_app(parts: Parts, viewer: Viewer | None = None) -> FastAPI:
     @asynccontextmanager
     async def lifespan(_app: FastAPI) -> AsyncIterator[None]:
         yield
-        if viewer is not None:
-            viewer.close()
         parts.jobs.close()
         parts.database.close()
 

@@ -10,6 +10,7 @@ import click
 from rich.console import Console
 from rich.progress import Progress
 
+from app.cli.api_bench import api
 from app.cli.fuzz_bench import fuzz
 from app.cli.verb_benches import pairs, tower, verb
 from app.domain.perception import Perception
@@ -24,7 +25,7 @@ from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 
 Source = Literal["cameras", "privileged"]
 command = click.Group("bench", help="Measure parts of the system on this machine.")
-for each in (verb, tower, pairs, fuzz):
+for each in (verb, tower, pairs, fuzz, api):
     command.add_command(each)
 
 

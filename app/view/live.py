@@ -1,6 +1,6 @@
-"""Frames to scene nodes: a compiled model drawn for one watcher, or into a recording."""
+"""Frames to scene nodes: a compiled model drawn into a viser scene."""
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -22,34 +22,58 @@ STILL = 1e-6
 """Below this a pose has not changed [m], and for quaternions' components."""
 
 
-@dataclass(slots=True)
-class Limb:
-    """A body that moves within its parent's frame, and the scene node that shows it."""
+class Limb(NamedTuple):
+    """A body that moves within its parent's frame."""
 
     body_id: int
     parent_id: int
-    node: viser.FrameHandle
-    position: np.ndarray
-    """As the watcher has it, in the parent's frame [m], shape (3,)."""
-    quaternion: np.ndarray
-    """As the watcher has it, in the parent's frame, wxyz, shape (4,)."""
+    path: str
+    """Name of the scene node that shows it."""
+
+
+def limbs_of(model: mujoco.MjModel) -> list[Limb]:
+    """Everything that can move."""
+    paths = paths_of(model)
+    return [
+        Limb(body_id, int(model.body_parentid[body_id]), paths[body_id])
+        for body_id in range(model.nbody)
+        if model.body_jntnum[body_id]
+    ]
+
+
+def paths_of(model: mujoco.MjModel) -> list[str]:
+    """The scene node of every body, hung into each other as in the model."""
+    paths: list[str] = []
+    for body_id in range(model.nbody):
+        parent_id = int(model.body_parentid[body_id])
+        paths.append(f"{paths[parent_id]}/{body_id}" if body_id else "/world")
+    return paths
+
+
+def pose_in_parent(data: mujoco.MjData, limb: Limb) -> tuple[np.ndarray, np.ndarray]:
+    """Position [m] (3,) and quaternion wxyz (4,) of the body in its parent's frame."""
+    places, turns = data.xpos, data.xquat
+    back, turn_back, position, quaternion = (np.empty(size) for size in (3, 4, 3, 4))
+    mujoco.mju_negPose(back, turn_back, places[limb.parent_id], turns[limb.parent_id])
+    here = (places[limb.body_id], turns[limb.body_id])
+    mujoco.mju_mulPose(position, quaternion, back, turn_back, *here)
+    return position, quaternion
 
 
 class Drawing:
-    """The bodies of a model in one viser scene, hung into each other as in the model.
+    """The bodies of a model in a viser scene.
 
     A turning joint so costs its watcher one message; what stands still costs none.
     """
 
-    def __init__(
-        self, canvas: viser.ViserServer | viser.ClientHandle, model: mujoco.MjModel
-    ) -> None:
+    def __init__(self, canvas: viser.ViserServer, model: mujoco.MjModel) -> None:
         self._canvas = canvas
         self._model = model
         self._data = mujoco.MjData(model)
         with canvas.atomic():
             self._furnish()
-            self._limbs = self._draw_bodies()
+            nodes = self._draw_bodies()
+        self._limbs = [(limb, nodes[limb.body_id]) for limb in limbs_of(model)]
         self.show(model.qpos0)
 
     def show(self, qpos: np.ndarray) -> None:
@@ -57,44 +81,28 @@ class Drawing:
         self._data.qpos[:] = qpos
         mujoco.mj_kinematics(self._model, self._data)
         with self._canvas.atomic():
-            for limb in self._limbs:
-                _move(limb, *self._pose_in_parent(limb))
-        self._canvas.flush()
-
-    def _pose_in_parent(self, limb: Limb) -> tuple[np.ndarray, np.ndarray]:
-        """Position [m] (3,) and quaternion wxyz (4,) of the body in its parent's frame."""
-        places, turns = self._data.xpos, self._data.xquat
-        back, turn_back, position, quaternion = (np.empty(size) for size in (3, 4, 3, 4))
-        mujoco.mju_negPose(back, turn_back, places[limb.parent_id], turns[limb.parent_id])
-        here = (places[limb.body_id], turns[limb.body_id])
-        mujoco.mju_mulPose(position, quaternion, back, turn_back, *here)
-        return position, quaternion
+            for limb, node in self._limbs:
+                _move(node, *pose_in_parent(self._data, limb))
 
     def _furnish(self) -> None:
         scene = self._canvas.scene
         scene.set_up_direction("+z")
         scene.configure_environment_map("studio", environment_intensity=0.4)
         scene.configure_default_lights(enabled=True, cast_shadow=True)
-        canvas = self._canvas
-        one = isinstance(canvas, viser.ClientHandle)
-        camera = canvas.camera if one else canvas.initial_camera
+        camera = self._canvas.initial_camera
         camera.position, camera.look_at, camera.fov = view_of(self._model)
 
-    def _draw_bodies(self) -> list[Limb]:
-        limbs: list[Limb] = []
-        paths: list[str] = []
-        for body_id in range(self._model.nbody):
-            parent_id = int(self._model.body_parentid[body_id])
-            paths.append(f"{paths[parent_id]}/{body_id}" if body_id else "/world")
-            pose = (self._model.body_pos[body_id].copy(), self._model.body_quat[body_id].copy())
+    def _draw_bodies(self) -> list[viser.FrameHandle]:
+        nodes: list[viser.FrameHandle] = []
+        for body_id, path in enumerate(paths_of(self._model)):
+            position, quaternion = self._model.body_pos[body_id], self._model.body_quat[body_id]
             node = self._canvas.scene.add_frame(
-                paths[body_id], show_axes=False, position=pose[0], wxyz=pose[1]
+                path, show_axes=False, position=position.copy(), wxyz=quaternion.copy()
             )
+            nodes.append(node)
             if glb := body_glb(self._model, body_id):
-                self._canvas.scene.add_glb(f"{paths[body_id]}/looks", glb)
-            if self._model.body_jntnum[body_id]:
-                limbs.append(Limb(body_id, parent_id, node, *pose))
-        return limbs
+                self._canvas.scene.add_glb(f"{path}/looks", glb)
+        return nodes
 
 
 def view_of(model: mujoco.MjModel) -> tuple[Point, Point, float]:
@@ -112,8 +120,8 @@ def view_of(model: mujoco.MjModel) -> tuple[Point, Point, float]:
     return (x, y, z), (ahead[0], ahead[1], 0.0), float(np.radians(model.cam_fovy[camera]))
 
 
-def _move(limb: Limb, position: np.ndarray, quaternion: np.ndarray) -> None:
-    if np.abs(position - limb.position).max() > STILL:
-        limb.node.position = limb.position = position
-    if np.abs(quaternion - limb.quaternion).max() > STILL:
-        limb.node.wxyz = limb.quaternion = quaternion
+def _move(node: viser.FrameHandle, position: np.ndarray, quaternion: np.ndarray) -> None:
+    if np.abs(position - node.position).max() > STILL:
+        node.position = position
+    if np.abs(quaternion - node.wxyz).max() > STILL:
+        node.wxyz = quaternion

@@ -1,11 +1,12 @@
 """Screening: one rollout as one page watches it."""
 
-import threading
+import asyncio
+import contextlib
 import time
 from dataclasses import asdict, dataclass
 
+from app.view.film import Film
 from app.view.playhead import Mode, Playhead
-from app.view.source import Footage
 
 LONGEST_TICK = 0.25
 """A watcher who was away longer comes back to where they left [s]."""
@@ -32,64 +33,62 @@ class Moment:
 
 
 class Screening:
-    """A rollout's footage and a playhead; safe to use from several threads."""
+    """A film and a playhead; lives in the service's event loop."""
 
-    def __init__(self, footage: Footage) -> None:
-        self.footage = footage
+    def __init__(self, film: Film) -> None:
+        self.film = film
+        self.footage = film.footage
         self.drawn = False
         self._playhead = Playhead()
         self._ticked_at = time.monotonic()
-        self._lock = threading.Lock()
-        self._moved = threading.Event()
+        self._moved = asyncio.Event()
 
-    def tick(self) -> float:
-        """Let the time since the last tick pass; the moment to be shown now [s]."""
-        self.footage.refresh()
-        with self._lock:
-            now = time.monotonic()
-            passed = min(now - self._ticked_at, LONGEST_TICK)
-            self._ticked_at = now
-            end, finished = self.footage.duration, self.footage.finished
-            self._playhead.advance(passed, end=end, finished=finished)
-            return self._playhead.time
+    async def tick(self) -> float:
+        """Let the time since the last tick pass; the moment of the picture to show now [s]."""
+        if self.footage.due:
+            await asyncio.to_thread(self.footage.refresh)
+        now = time.monotonic()
+        passed = min(now - self._ticked_at, LONGEST_TICK)
+        self._ticked_at = now
+        end, finished = self.footage.duration, self.footage.finished
+        self._playhead.advance(passed, end=end, finished=finished)
+        return self.film.moment(self._playhead.time, self._playhead.speed)
 
-    def rest(self, playing: float, still: float) -> None:
-        """Sleep ``playing`` [s], or ``still`` [s] if paused; a move of the playhead wakes."""
-        if self._moved.wait(still if self._playhead.mode == "paused" else playing):
-            self._moved.clear()
+    async def rest(self, playing: float, still: float) -> None:
+        """Wait ``playing`` [s], or ``still`` [s] if paused; a move of the playhead wakes."""
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(still if self._playhead.mode == "paused" else playing):
+                await self._moved.wait()
+        self._moved.clear()
 
     def moment(self) -> Moment:
         """Where the playhead is."""
-        with self._lock:
-            return Moment(
-                time=self._playhead.time,
-                duration=self.footage.duration,
-                mode=self._playhead.mode,
-                speed=self._playhead.speed,
-                finished=self.footage.finished,
-                drawn=self.drawn,
-            )
+        return Moment(
+            time=self._playhead.time,
+            duration=self.footage.duration,
+            mode=self._playhead.mode,
+            speed=self._playhead.speed,
+            finished=self.footage.finished,
+            drawn=self.drawn,
+        )
 
     def turn(self, mode: Mode) -> None:
         """Play, pause or follow."""
-        with self._lock:
-            match mode:
-                case "playing":
-                    self._playhead.play(end=self.footage.duration, finished=self.footage.finished)
-                case "paused":
-                    self._playhead.pause()
-                case "following":
-                    self._playhead.follow()
+        match mode:
+            case "playing":
+                self._playhead.play(end=self.footage.duration, finished=self.footage.finished)
+            case "paused":
+                self._playhead.pause()
+            case "following":
+                self._playhead.follow()
         self._moved.set()
 
     def seek(self, moment: float) -> None:
         """Jump to ``moment`` [s]."""
-        with self._lock:
-            self._playhead.seek(moment)
+        self._playhead.seek(moment)
         self._moved.set()
 
     def set_speed(self, speed: float) -> None:
         """Play at so many seconds per second."""
-        with self._lock:
-            self._playhead.set_speed(speed)
+        self._playhead.set_speed(speed)
         self._moved.set()

@@ -48,10 +48,15 @@ class Footage:
         """Time of the last known frame [s]."""
         return float(self._rows[-1, 0]) if len(self._rows) else 0.0
 
+    @property
+    def due(self) -> bool:
+        """Whether there may be more to read."""
+        return not self.finished and time.monotonic() - self._read_at >= READ_EVERY
+
     def refresh(self) -> None:
         """Read what is new; does nothing if that was done just now, or if all is known."""
         with self._lock:
-            if self.finished or time.monotonic() - self._read_at < READ_EVERY:
+            if not self.due:
                 return
             self._read_at = time.monotonic()
             # Asked first: frames stored between the two questions must not be missed.

@@ -6,8 +6,9 @@ const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const NOT_THERE = 4404;
 
 export class RolloutView {
-  /** `moved(time, playing)` is told the moment shown [s], many times a second. */
-  constructor(moved) {
+  /** `moved(time)` is told the moment shown [s], many times a second; `alone` is a page of its own. */
+  constructor(moved, { alone = false } = {}) {
+    this.alone = alone;
     this.root = byId("rollout-view");
     this.moved = moved;
     this.moment = null;
@@ -54,7 +55,7 @@ export class RolloutView {
     this.speed = h("select", { "aria-label": "Speed", onchange: () => this.send({ speed: Number(this.speed.value) }) },
       SPEEDS.map((speed) => h("option", { value: speed, selected: speed === 1 }, `${speed}×`)));
     this.live = h("button", { type: "button", class: "small live", "aria-pressed": "false", onclick: () => this.follow() }, "Follow live");
-    const alone = h("a", { class: "button small quiet", href: `/viewer/${execution}/`, target: "_blank", rel: "noopener" }, "Open alone");
+    const alone = !this.alone && h("a", { class: "button small quiet", href: `/viewer/${execution}/`, target: "_blank", rel: "noopener" }, "Open alone");
     return h("div", { class: "controls" }, this.button, this.slider, this.clock, this.speed, this.live, alone);
   }
 

@@ -1,18 +1,24 @@
 """A model of a hinged arm and a free block, and a second of its motion."""
 
 import contextlib
+import threading
 import time
 
 import msgspec
 import mujoco
 import numpy as np
 import pytest
+import uvicorn
 import viser
 import zstandard
+from fastapi import FastAPI
 from websockets.sync.client import connect
 from websockets.typing import Subprotocol
 
+from app.api.errors import install
+from app.api.resources.viewer import router
 from app.domain.errors import NotThere
+from app.view.viewer import Viewer
 
 MODEL = """
 <mujoco>
@@ -88,6 +94,30 @@ def rollouts(rollout, growing):
         return known[execution_id]
 
     return find
+
+
+@pytest.fixture
+def viewer(rollouts):
+    return Viewer(rollouts)
+
+
+@pytest.fixture
+def address(viewer):
+    """Host and port of a service that has nothing but the viewer."""
+    app = FastAPI()
+    app.include_router(router)
+    install(app)
+    app.state.viewer = viewer
+    server = uvicorn.Server(uvicorn.Config(app, port=0, log_level="error", lifespan="off"))
+    thread = threading.Thread(target=server.run)
+    thread.start()
+    deadline = time.monotonic() + 20
+    while not server.started:
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    yield f"127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}"
+    server.should_exit = True
+    thread.join(20)
 
 
 class Browser:

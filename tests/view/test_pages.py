@@ -1,41 +1,13 @@
 """The viewer's endpoints over real sockets."""
 
 import json
-import threading
-import time
 
 import httpx
 import pytest
-import uvicorn
-from fastapi import FastAPI
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import connect
 
-from app.api.errors import install
-from app.api.resources.viewer import router
-from app.view.viewer import Viewer
-
 BLOCK = "/world/2"
-
-
-@pytest.fixture
-def address(rollouts):
-    """Host and port of a service that has nothing but the viewer."""
-    app = FastAPI()
-    app.include_router(router)
-    install(app)
-    app.state.viewer = Viewer(rollouts)
-    server = uvicorn.Server(uvicorn.Config(app, port=0, log_level="error", lifespan="off"))
-    thread = threading.Thread(target=server.run)
-    thread.start()
-    deadline = time.monotonic() + 20
-    while not server.started:
-        assert time.monotonic() < deadline
-        time.sleep(0.02)
-    yield f"127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}"
-    server.should_exit = True
-    thread.join(20)
-    app.state.viewer.close()
 
 
 @pytest.fixture
@@ -71,6 +43,12 @@ def test_page_of_a_rollout_is_visers_client(http):
     assert "<script" in answer.text
 
 
+def test_rollout_has_a_page_of_its_own_with_controls(http):
+    answer = http.get("/viewer/done/")
+    assert answer.headers["content-type"].startswith("text/html")
+    assert "/static/js/alone.js" in answer.text
+
+
 def test_address_without_slash_leads_to_the_page(http):
     answer = http.get("/viewer/done")
     assert answer.is_redirect
@@ -84,9 +62,8 @@ def test_unknown_execution_is_a_problem_document(http):
         assert answer.json()["detail"] == "there is no execution 'nope'"
 
 
-@pytest.mark.parametrize("path", ["/viewer/done", "/viewer/done/page"])
-def test_browser_sees_the_rollout_through_the_service(address, open_browser, path):
-    browser = open_browser(f"ws://{address}{path}")
+def test_browser_sees_the_rollout_through_the_service(address, open_browser):
+    browser = open_browser(f"ws://{address}/viewer/done/page")
     browser.watch(lambda seen: any(place[2] > 1.06 for place in seen.positions.get(BLOCK, ())))
     assert browser.socket.subprotocol.startswith("viser-v")
 
@@ -112,6 +89,6 @@ def test_malformed_command_ends_the_playhead_with_the_reason(playhead, command):
 
 
 def test_socket_of_an_unknown_execution_is_closed_with_the_reason(address):
-    for path in ("/viewer/nope/page/playhead", "/viewer/nope/page", "/viewer/nope"):
+    for path in ("/viewer/nope/page/playhead", "/viewer/nope/page"):
         with connect(f"ws://{address}{path}") as socket:
             assert ending(socket) == (4404, "there is no execution 'nope'")

@@ -1,63 +1,62 @@
-import threading
+import asyncio
 import time
 
 import numpy as np
 import pytest
 
 from app.domain.errors import NotThere
-from app.view.viewer import Viewer
+from app.view.film import BEGINNING, Film
+from app.view.source import Footage
 
 BLOCK = "/world/2"
 
 
 @pytest.fixture
-def viewer(rollouts):
-    viewer = Viewer(rollouts)
-    yield viewer
-    viewer.close()
+def watch(address, open_browser):
+    return lambda execution_id, token: open_browser(f"ws://{address}/viewer/{execution_id}/{token}")
 
 
 def highest(browser):
     return max((position[2] for position in browser.positions.get(BLOCK, [])), default=0.0)
 
 
-def test_browser_gets_the_scene_and_the_motion_to_its_end(viewer, open_browser):
-    browser = open_browser(viewer.url("done", "page"))
+def test_browser_gets_the_scene_and_the_motion_to_its_end(watch):
+    browser = watch("done", "page")
     browser.watch(lambda seen: highest(seen) > 1.06)
     assert browser.glbs == {"/world/1/looks", "/world/2/looks"}
     heights = [position[2] for position in browser.positions[BLOCK]]
     assert heights == sorted(heights)
 
 
-def test_two_browsers_watch_two_rollouts(viewer, open_browser):
-    done = open_browser(viewer.url("done", "one"))
-    live = open_browser(viewer.url("live", "two"))
+def test_two_browsers_watch_two_rollouts(watch):
+    done = watch("done", "one")
+    live = watch("live", "two")
     done.watch(lambda seen: highest(seen) > 1.06)
     live.watch(lambda seen: highest(seen) > 0.39)
     assert highest(live) < 0.41  # only ten frames of it are there yet
 
 
-def test_live_browser_sees_what_comes_later(viewer, open_browser, growing):
-    browser = open_browser(viewer.url("live", "page"))
+def test_live_browser_sees_what_comes_later(watch, growing):
+    browser = watch("live", "page")
     browser.watch(lambda seen: highest(seen) > 0.39)
     growing.known = 30
     browser.watch(lambda seen: highest(seen) > 1.06)
 
 
-def test_page_moves_the_picture(viewer, open_browser):
+def test_page_moves_the_picture(viewer, watch):
     with viewer.screening("done", "page") as screening:
-        browser = open_browser(viewer.url("done", "page"))
+        browser = watch("done", "page")
         browser.watch(lambda seen: highest(seen) > 1.06)
         screening.seek(0.5)
         browser.watch(lambda seen: seen.positions[BLOCK][-1][2] == pytest.approx(0.6, abs=1e-3))
 
 
-def test_nothing_is_kept_of_browsers_that_have_gone(viewer, open_browser):
-    browser = open_browser(viewer.url("done", "page"))
+def test_nothing_is_kept_of_browsers_that_have_gone(viewer, watch):
+    browser = watch("done", "page")
     browser.watch(lambda seen: seen.glbs)
     browser.close()
     deadline = time.monotonic() + 20
-    while _drawing() or viewer._screenings or viewer._gone:
+    while viewer._screenings:
         assert time.monotonic() < deadline
         time.sleep(0.05)
 
@@ -71,7 +70,7 @@ def test_unknown_execution_is_not_there(viewer):
 def test_rollout_opened_again_is_not_read_again(viewer, rollout):
     for _ in range(2):
         with viewer.screening("done", "page") as screening:
-            screening.tick()
+            asyncio.run(screening.tick())
     assert rollout.asked == [0]
 
 
@@ -80,12 +79,47 @@ def test_same_token_is_the_same_moment_and_another_is_not(viewer):
         one.turn("paused")
         one.seek(0.5)
         two.turn("paused")
-        assert one.tick() == 0.5
-        assert two.tick() == 0.0
+        assert asyncio.run(one.tick()) == 0.5
+        assert asyncio.run(two.tick()) == 0.0
         with viewer.screening("done", "one") as again:
             assert again is one
         np.testing.assert_array_equal(one.footage.at(0.5), two.footage.at(0.5))
 
 
-def _drawing():
-    return [thread for thread in threading.enumerate() if thread.name.startswith("view of")]
+def test_a_picture_is_made_once_for_all_who_watch(rollout):
+    film = Film(Footage(rollout))
+    film.footage.refresh()
+    moment = film.moment(0.51, 1.0)
+    assert film.picture(BEGINNING, moment) is film.picture(BEGINNING, moment)
+
+
+def test_nothing_is_sent_between_two_pictures_that_look_the_same(growing):
+    film = Film(Footage(growing))
+    film.footage.refresh()
+    assert film.picture(0.1, 0.1) is None
+
+
+def test_the_last_picture_is_the_newest_frame_whether_it_fits_the_pace_or_not(model, frames):
+    late = frames.copy()
+    late[-1, 0] += 0.005
+
+    class Late:
+        def model(self):
+            return model
+
+        def frames(self, after):
+            return late[after:]
+
+        def finished(self):
+            return True
+
+    film = Film(Footage(Late()))
+    film.footage.refresh()
+    assert film.moment(99.0, 1.0) == film.footage.duration == late[-1, 0]
+
+
+def test_slow_motion_has_finer_pictures(rollout):
+    film = Film(Footage(rollout))
+    film.footage.refresh()
+    assert film.moment(0.51, 1.0) == 15 / 30
+    assert film.moment(0.51, 0.25) == 61 / 120

@@ -124,10 +124,8 @@ class Declining:
 
 @pytest.fixture
 def declining():
-    if "declining" not in planners:
-        planners.add("declining", Declining())
-    yield "declining"
-    planners._entries.pop("declining")
+    with planners.temporarily("declining", Declining()):
+        yield "declining"
 
 
 def test_a_declined_task_moves_nothing_and_asks_back(
@@ -179,9 +177,8 @@ def test_the_models_hear_of_the_failed_try(database, make_plan, work):
             prompts.append(task.failed)
             return super().write_program(task, model, report)
 
-    planners.add("hearing", Hearing())
     planner = {"name": "hearing", "model": "scripted", "max_replans": 1}
-    work(make_plan(planner=planner, goal=[]), BURIED, ONE)
-    planners._entries.pop("hearing")
+    with planners.temporarily("hearing", Hearing()):
+        work(make_plan(planner=planner, goal=[]), BURIED, ONE)
     assert prompts[0] is None
     assert "apple" in prompts[1].outcome

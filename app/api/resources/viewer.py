@@ -1,4 +1,4 @@
-"""The 3D view: viser's client, its WebSocket, and the playhead it shares with the page."""
+"""The 3D view: viser's client, what it is sent, and the playhead it shares with the page."""
 
 import asyncio
 import contextlib
@@ -8,18 +8,15 @@ from pathlib import Path
 from typing import Annotated, Literal
 
 import viser
-import websockets
 from fastapi import APIRouter, Depends, Request, WebSocket, WebSocketDisconnect
 from fastapi.concurrency import run_in_threadpool
 from fastapi.requests import HTTPConnection
-from fastapi.responses import HTMLResponse, RedirectResponse
+from fastapi.responses import FileResponse, HTMLResponse, RedirectResponse
 from pydantic import BaseModel, Field, ValidationError
-from websockets.asyncio.client import ClientConnection
-from websockets.typing import Subprotocol
 
 from app.domain.errors import Conflict, NotThere
 from app.view.screening import Screening
-from app.view.viewer import Viewer
+from app.view.viewer import PROTOCOL, Viewer, projection
 
 NOT_THERE = 4404
 """WebSocket close code: there is nothing under this path."""
@@ -32,7 +29,10 @@ BARE = (
 TELL_EVERY = 0.1
 """How often a page is told where its playhead is [s]; in between it reckons."""
 
-HUNG_UP = (WebSocketDisconnect, websockets.ConnectionClosed)
+ALONE = Path(__file__).parents[3] / "static" / "alone.html"
+"""The page of a 3D view on its own."""
+
+HUNG_UP = (WebSocketDisconnect,)
 
 router = APIRouter(prefix="/viewer", tags=["viewer"])
 
@@ -62,48 +62,36 @@ def add_slash(request: Request) -> RedirectResponse:
     return RedirectResponse(request.url.replace(path=f"{request.url.path}/"))
 
 
-@router.get("/{execution_id}/", response_class=HTMLResponse)
-def watch(execution_id: str, viewer: Shown) -> HTMLResponse:
-    """The 3D view of an execution, with controls of its own: live while it runs, then a replay."""
-    return _client(execution_id, viewer.token_alone(), viewer, _client_html())
+@router.get("/{execution_id}/", response_class=FileResponse)
+def watch(execution_id: str, viewer: Shown) -> FileResponse:
+    """The 3D view of an execution and its controls: live while it runs, then a replay."""
+    viewer.find(execution_id)
+    return FileResponse(ALONE)
 
 
 @router.get("/{execution_id}/{token}/", response_class=HTMLResponse, include_in_schema=False)
 def watch_beside_page(execution_id: str, token: str, viewer: Shown) -> HTMLResponse:
-    """The same without controls, for a page that has the playhead of this token."""
-    bare = _client_html().replace("</head>", BARE + "</head>", 1)
-    return _client(execution_id, token, viewer, bare)
-
-
-def _client(execution_id: str, token: str, viewer: Viewer, html: str) -> HTMLResponse:
-    with viewer.screening(execution_id, token):
-        return HTMLResponse(html)
+    """Viser's client without controls, for a page that has the playhead of this token."""
+    del token  # Unused: the client finds its WebSocket by its own address.
+    viewer.find(execution_id)
+    return HTMLResponse(_client_html())
 
 
 @cache
 def _client_html() -> str:
-    return (Path(viser.__file__).parent / "client" / "build" / "index.html").read_text()
-
-
-@router.websocket("/{execution_id}")
-async def stream_alone(socket: WebSocket, execution_id: str, viewer: Shown) -> None:
-    """Viser's messages, for a view alone."""
-    await stream(socket, execution_id, viewer.token_alone(), viewer)
+    html = (Path(viser.__file__).parent / "client" / "build" / "index.html").read_text()
+    return html.replace("</head>", BARE + "</head>", 1)
 
 
 @router.websocket("/{execution_id}/{token}")
 async def stream(socket: WebSocket, execution_id: str, token: str, viewer: Shown) -> None:
     """Viser's messages, for a view beside a page."""
-    protocols = [Subprotocol(name) for name in socket.scope["subprotocols"]]
     async with _screening(socket, execution_id, token, viewer) as screening:
         if screening is None:
             return
-        url = viewer.url(execution_id, token)
-        async with websockets.connect(
-            url, subprotocols=protocols, max_size=None, compression=None, proxy=None
-        ) as behind:
-            await socket.accept(subprotocol=behind.subprotocol)
-            await _both(_to_browser(behind, socket), _from_browser(socket, behind))
+        spoken = socket.scope["subprotocols"]
+        await socket.accept(subprotocol=PROTOCOL if PROTOCOL in spoken else None)
+        await _both(_show(screening, socket), _from_browser(socket))
 
 
 @router.websocket("/{execution_id}/{token}/playhead")
@@ -150,16 +138,15 @@ async def _both(*ways: Coroutine[None, None, None]) -> None:
             raise end
 
 
-async def _to_browser(behind: ClientConnection, socket: WebSocket) -> None:
-    async for message in behind:
-        assert isinstance(message, bytes)
+async def _show(screening: Screening, socket: WebSocket) -> None:
+    async for message in projection(screening):
         await socket.send_bytes(message)
-    await socket.close(behind.close_code or 1000, behind.close_reason)
 
 
-async def _from_browser(socket: WebSocket, behind: ClientConnection) -> None:
-    async for message in socket.iter_bytes():
-        await behind.send(message)
+async def _from_browser(socket: WebSocket) -> None:
+    """Where its camera is does not matter: everything is drawn over there."""
+    async for _ in socket.iter_bytes():
+        pass
 
 
 async def _tell(screening: Screening, socket: WebSocket) -> None:
