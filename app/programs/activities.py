@@ -57,12 +57,16 @@ class Activity:
     body: tuple[Statement, ...]
     said_with: frozenset[str] = frozenset()
     """Words or phrases of which one stands in every sentence that asks for it; none for any."""
+    not_said_with: frozenset[str] = frozenset()
+    """Words or phrases of which none stands there."""
     not_for: frozenset[str] = frozenset()
     """Things, and classes of things, that nobody does it with."""
 
     def may_be_meant(self, sentence: str) -> bool:
         """Whether the sentence can ask for it, by its words."""
         said = f" {' '.join(words(sentence))} "
+        if any(f" {each} " in said for each in self.not_said_with):
+            return False
         return not self.said_with or any(f" {each} " in said for each in self.said_with)
 
 
@@ -89,6 +93,7 @@ def _activity(text: str) -> Activity:
         signature=signature,
         body=helper.body,
         said_with=_listed(told, "Said with: "),
+        not_said_with=_listed(told, "Not said with: "),
         not_for=_listed(told, "Not for: "),
     )
 

@@ -276,8 +276,14 @@ class Selection:
         scores = self._likenesses(described, without)
         best = max(scores, default=(0.0, None), key=lambda pair: pair[0])[0]
         several = phrase.quantity == "all" or _WHATEVER & set(words(self.sentence))
+        if several and best in {s for s, t in scores if t in self._classed(described, without)}:
+            return []
         least = max(PLAINLY if best >= PLAINLY else 1.0, best - (USE_MARGIN if several else 0.0))
         return [(thing, KIND) for likely, thing in scores if likely >= least]
+
+    def _classed(self, described: Description, without: Collection[str]) -> list[Thing]:
+        """The things of a class that the words describe: it is asked where it knows the likeliest."""
+        return [t for t in self.things if t.name not in without and fit(t, described) >= SETS]
 
     def _judged(self, described: Description, without: Collection[str]) -> Fits:
         """By likeness of meaning, for descriptions and for words that no knowledge covers."""

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from app.domain.action import ActionSignature, Parameter
 from app.domain.condition import Relation, decide
 from app.domain.program import Argument
-from app.domain.scene import Scene, SceneObject
+from app.domain.scene import Position, Scene, SceneObject
 from app.programs.conditions import parse_condition
 from app.training.executor import PUTS, Outcome
 from app.training.words import FOLDER
@@ -100,9 +100,14 @@ def _objects(described: Mapping[str, Mapping[str, Any]]) -> Iterator[SceneObject
             name=name,
             category=told.get("category"),
             colour=told.get("color") or told.get("colour"),
-            position=SIDES.get(position) if isinstance(position, str) else position,
+            position=SIDES.get(position) if isinstance(position, str) else _placed(position),
             properties=tuple((key, told[key]) for key in ("material", "size") if key in told),
         )
+
+
+def _placed(position: Sequence[float] | None) -> Position | None:
+    """On the table where no height is told."""
+    return None if position is None else (*position, 0.0)[:3]  # pyright: ignore[reportReturnType]
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,7 @@
-"""Bring a thing to the person who asks: it is held in the hand."""
+"""Bring a thing to the person who asks: it is held in the hand.
+
+Not said with: to the, to my, on the, in the, onto the, into the.
+"""
 
 
 def bring_me(obj):

@@ -1,4 +1,7 @@
-"""Wipe or clean a surface, a room, a piece of furniture."""
+"""Wipe or clean a surface, a room, a piece of furniture.
+
+Said with: clean, wipe, dust, polish, scrub, mop, dusty, cleaning, shine, tidy.
+"""
 
 
 def clean(obj):

@@ -1,4 +1,7 @@
-"""Close a door, a window, curtains, a book or a piece of furniture."""
+"""Close a door, a window, curtains, a book or a piece of furniture.
+
+Said with: close, shut, closed, draw, push.
+"""
 
 
 def close(obj):

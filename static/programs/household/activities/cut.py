@@ -1,4 +1,7 @@
-"""Cut food on the counter with a knife."""
+"""Cut food on the counter with a knife.
+
+Said with: cut, slice, chop, dice, carve, halve, knife, sliced, chopped.
+"""
 
 
 def cut(food):

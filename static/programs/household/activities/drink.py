@@ -1,4 +1,7 @@
-"""Drink something: it is in the hand, with a glass."""
+"""Drink something: it is in the hand, with a glass.
+
+Said with: drink, sip, have, glass, thirsty.
+"""
 
 
 def drink(drink):

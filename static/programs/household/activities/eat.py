@@ -1,4 +1,7 @@
-"""Eat, seated."""
+"""Eat, seated.
+
+Said with: eat, have, snack, bite, enjoy, munch, taste, nibble, lunch, breakfast, dinner.
+"""
 
 
 def eat(food):

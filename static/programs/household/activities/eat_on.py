@@ -1,4 +1,7 @@
-"""Eat on this seat."""
+"""Eat on this seat.
+
+Said with: eat, have, snack, enjoy, munch, nibble, bite.
+"""
 
 
 def eat_on(food, seat):

@@ -1,4 +1,7 @@
-"""Warm food up in this appliance; it is held in the end."""
+"""Warm food up in this appliance; it is held in the end.
+
+Said with: heat, warm, hot, heated, warmed, reheat, microwave, oven, stove.
+"""
 
 
 def heat_in(food, appliance):

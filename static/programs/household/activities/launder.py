@@ -1,4 +1,8 @@
-"""Wash clothes or linen in the washing machine, and take them out again."""
+"""Wash clothes or linen in the washing machine, and take them out again.
+
+Not for: dish, food, cutlery, cookware.
+Said with: wash, launder, clean, laundry, washing, dirty.
+"""
 
 
 def launder(clothes):

@@ -1,4 +1,7 @@
-"""Lie down; here that is to rest on it."""
+"""Lie down; here that is to rest on it.
+
+Said with: lie, rest, nap, stretch, lay, sleep.
+"""
 
 
 def lie_on(bed):

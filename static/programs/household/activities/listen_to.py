@@ -1,4 +1,7 @@
-"""Listen to a radio, to music."""
+"""Listen to a radio, to music.
+
+Said with: listen, music, hear, song, news.
+"""
 
 
 def listen_to(device):

@@ -1,4 +1,7 @@
-"""Open a door, a window, curtains, a book or a piece of furniture."""
+"""Open a door, a window, curtains, a book or a piece of furniture.
+
+Said with: open, unlock, draw, pull.
+"""
 
 
 def open(obj):

@@ -1,4 +1,7 @@
-"""Take a thing into the hand."""
+"""Take a thing into the hand.
+
+Not said with: to the, to my, on the, in the, onto the, into the.
+"""
 
 
 def pick_up(obj):

@@ -1,4 +1,7 @@
-"""Put a thing beside or near a piece of furniture."""
+"""Put a thing beside or near a piece of furniture.
+
+Said with: near, next, beside, by, close.
+"""
 
 
 def put_near(obj, place):

@@ -1,4 +1,7 @@
-"""Read a book, a newspaper or the like."""
+"""Read a book, a newspaper or the like.
+
+Said with: read, look, browse, study, leaf, reading.
+"""
 
 
 def read(text):

@@ -1,4 +1,7 @@
-"""Read on this seat, or at this light."""
+"""Read on this seat, or at this light.
+
+Said with: read, reading, study.
+"""
 
 
 def read_on(text, seat):

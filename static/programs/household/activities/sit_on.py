@@ -1,4 +1,7 @@
-"""Sit down."""
+"""Sit down.
+
+Said with: sit, seat, seated, sat.
+"""
 
 
 def sit_on(seat):

@@ -1,4 +1,7 @@
-"""Put a thing away where such things are kept."""
+"""Put a thing away where such things are kept.
+
+Said with: put, store, tidy, clear, stow, away, belongs, back.
+"""
 
 
 def store(obj):

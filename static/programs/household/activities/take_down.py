@@ -1,4 +1,7 @@
-"""Take down what hangs or stands up there, and hold it."""
+"""Take down what hangs or stands up there, and hold it.
+
+Said with: down, off, remove, unhang, wall.
+"""
 
 
 def take_down(obj):

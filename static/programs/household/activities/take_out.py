@@ -1,4 +1,7 @@
-"""Take a thing out of what it is in, and hold it."""
+"""Take a thing out of what it is in, and hold it.
+
+Said with: out, from, remove, unpack, inside.
+"""
 
 
 def take_out(obj, container):

@@ -1,4 +1,7 @@
-"""Throw a thing into the garbage."""
+"""Throw a thing into the garbage.
+
+Said with: throw, away, out, trash, garbage, dispose, rid, bin, discard, toss, chuck, dump, rotten, bad.
+"""
 
 
 def throw_away(obj):

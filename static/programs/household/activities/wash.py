@@ -1,6 +1,8 @@
 """Wash a thing in the sink with soap and a sponge.
 
+Not said with: dishwasher, washing machine.
 Not for: clothes, linen, washingmachine, rug, towel, curtains, blanket.
+Said with: wash, clean, scrub, washing, dirty, washed.
 """
 
 

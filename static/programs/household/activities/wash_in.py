@@ -1,6 +1,7 @@
 """Wash a thing in a washing machine, a dishwasher or the like.
 
 Not for: washingmachine.
+Said with: wash, clean, run, start, machine, dishwasher, sink, load, use.
 """
 
 

@@ -1,4 +1,7 @@
-"""Work at the computer."""
+"""Work at the computer.
+
+Said with: work, use, type, email, emails, study, browse, internet, web, surf, write, computer, play, check.
+"""
 
 
 def work_on(computer):
