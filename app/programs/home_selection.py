@@ -76,8 +76,11 @@ class HomeSelection(Selection):
         return self.one(phrase, without, affordance=affordance)
 
     def _loosely(self, phrase: Phrase, without: Collection[str]) -> Fits:
-        """What fits; else what fits the words before "on" or "from", the words but the last, or
-        what is named after the thing: a coffee pot where coffee is wanted."""
+        """What fits, or what fits fewer of the words, or what is named after the thing.
+
+        Fewer are those before "on" or "from", and all but the last; a coffee pot is named after
+        the coffee that is wanted.
+        """
         if found := self._fitting(phrase, without):
             return found
         said = words(phrase.text)
