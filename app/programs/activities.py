@@ -68,11 +68,18 @@ def _activity(text: str) -> Activity:
 
 
 def _needed(parameter: str, body: Sequence[Statement]) -> str | None:
-    """What the first call that is made on the parameter takes it to afford."""
-    for call in body:
-        if isinstance(call, ActionCall) and call.arguments and parameter == str(call.arguments[-1]):
-            return AFFORDED.get(call.action)
-    return None
+    """What the first call that is made on the parameter takes it to afford.
+
+    A call that may be left out counts only where there is no other: what is put somewhere goes
+    to a table as well as into what has to be opened before.
+    """
+    verbs = [
+        call.action
+        for call in body
+        if isinstance(call, ActionCall) and call.arguments and parameter == str(call.arguments[-1])
+    ]
+    lasting = [verb for verb in verbs if verb not in DROPPED]
+    return next((AFFORDED.get(verb) for verb in (*lasting, *verbs)), None)
 
 
 class Home:

@@ -1,17 +1,18 @@
 """Every activity file in every shipped home, and what one comes down to there."""
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
 
 from app.domain.errors import TaskDeclined
-from app.domain.program import ActionCall, Assertion, Comment, Program, Statement
+from app.domain.program import ActionCall, Assertion, Comment, Program, Statement, Variable
 from app.domain.scene import Scene, SceneObject
 from app.domain.trace import ActionFailed, CallSkipped
 from app.execution.interpreter import execute
 from app.execution.repair import repair
 from app.programs import activities
-from app.programs.activities import AFFORDED, DROPPED, Home, load_activities
+from app.programs.activities import Home, load_activities
 from app.programs.grounding import ground
 from app.programs.parser import parse_program
 from app.programs.printer import print_program
@@ -39,22 +40,21 @@ def affordances(item):
 
 
 def fits(item, parameter, body):
-    """Whether the thing affords all that the calls on it take, those left aside that may be left out."""
-    calls = [
-        each.action
-        for each in body
-        if isinstance(each, ActionCall) and each.arguments and str(each.arguments[-1]) == parameter
-    ]
-    wanted = [AFFORDED[verb] for verb in calls if verb in AFFORDED and verb not in DROPPED]
-    wanted += ["sittable"] if "sit" in calls else []
-    wanted += [AFFORDED[calls[0]]] if calls and set(calls) <= set(DROPPED) else []
+    """Whether the thing affords what is asked of it, and a seat that one can sit on it."""
+    wanted = [parameter.affordance] if parameter.affordance else []
+    if ActionCall(action="sit", arguments=(Variable(parameter.name),)) in plain(body):
+        wanted.append("sittable")
     return all(affordances(item) & set(each.split("|")) for each in wanted)
+
+
+def plain(body):
+    return [replace(each, line=0) for each in body if isinstance(each, ActionCall)]
 
 
 def fitting(activity, home):
     """Three choices of arguments that the home affords: early, middling and late ones."""
     names = [
-        [item.name for item in scene_of(home).objects if fits(item, each.name, activity.body)]
+        [item.name for item in scene_of(home).objects if fits(item, each, activity.body)]
         for each in activity.signature.parameters
     ]
     if not names:
@@ -242,15 +242,16 @@ def test_feedback_adds_assertions_whose_recovery_is_the_call():
     assert not [each for each in written(text, "bread") if isinstance(each, Assertion)]
 
 
-def test_a_parameter_takes_what_its_first_call_affords():
+def test_a_parameter_affords_what_its_first_call_takes_that_is_not_left_out():
     taken = {
         name: [each.affordance for each in ACTIVITIES[name].signature.parameters]
-        for name in ("pick_up", "switch_on", "sit_on", "go_to", "put_near")
+        for name in ("pick_up", "switch_on", "sit_on", "go_to", "put", "take_out")
     }
     assert taken == {
         "pick_up": ["grabbable"],
         "switch_on": ["has_switch"],
         "sit_on": ["sittable|lieable"],
         "go_to": [None],
-        "put_near": ["grabbable", "containers|surfaces"],
+        "put": ["grabbable", "containers|surfaces"],
+        "take_out": ["grabbable", "can_open"],
     }
