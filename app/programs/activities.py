@@ -145,8 +145,9 @@ class Home:
         """The activity with these things, in primitives.
 
         Raises:
-            TaskDeclined: the home lacks something that it takes.
+            TaskDeclined: the home lacks something that it takes, or nothing of it can be done.
         """
+        idle = True
         given = dict(
             zip((each.name for each in activity.signature.parameters), arguments, strict=True)
         )
@@ -157,9 +158,14 @@ class Home:
                 case ActionCall():
                     names = [self._name(each, given) for each in statement.arguments]
                     if None not in names:
-                        yield from self._call(statement.action, [each for each in names if each])
+                        for each in self._call(statement.action, [each for each in names if each]):
+                            idle = False
+                            yield each
                 case _:
                     yield statement
+        if idle:
+            asked = " ".join((activity.signature.name.replace("_", " "), *map(apart, arguments)))
+            raise TaskDeclined(f"nothing here can be done for: {asked}", kind="impossible")
 
     def _comment(self, text: str, given: Mapping[str, str]) -> Comment:
         said = _MENTIONED.sub(lambda match: apart(given.get(match[1], match[1])), text.strip())

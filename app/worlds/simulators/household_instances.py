@@ -59,7 +59,9 @@ class Instances:
             self.shunned.difference_update(node.id for node in ranked)
             return failure
         another = ActionCall(action="find", arguments=(ranked[0].name,))
-        return ActionFailure(failure.stage, failure.reason, remedy=(another,))
+        return ActionFailure(
+            failure.stage, failure.reason, remedy=(another,), needless=failure.needless
+        )
 
     def _remember(self, chosen: tuple[Node, ...]) -> tuple[Node, ...]:
         for node in chosen:

@@ -169,3 +169,22 @@ def _managed(do, world, name, names):
         else:
             return True
     return False
+
+
+def test_who_stands_need_not_stand_up(home, do):
+    assert failure(do, home, "standup").needless
+
+
+def test_a_seat_that_is_taken_by_a_thing_is_free_once_the_thing_is_grabbed(home, do):
+    do(home, "find pear; grab pear; find stool; putback pear stool")
+    failed = failure(do, home, "sit stool")
+    assert remedies(failed) == "grab(pear)"
+    followed(do, home, failed)
+    do(home, "sit stool")
+    assert home.holds(Relation("sitting", ("character",)))
+
+
+def test_what_is_so_already_is_needless_even_where_there_is_another_of_its_name(household, do):
+    world = household.open(Scene(world="household", environment="env0"), 0)
+    do(world, "find tablelamp")
+    assert failure(do, world, "switchoff tablelamp").needless

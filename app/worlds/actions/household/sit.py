@@ -1,6 +1,8 @@
 from app.domain.action import ActionSignature, Parameter
+from app.domain.errors import ActionFailure
+from app.domain.program import ActionCall
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent, refuse
+from app.worlds.simulators.household_agent import HouseholdAgent
 from app.worlds.simulators.household_graph import Node
 
 SEATS = {"couch": 4, "sofa": 4, "bed": 4, "bench": 2, "loveseat": 2, "pianobench": 2}
@@ -23,8 +25,11 @@ class Sit:
         agent.demand_close(node)
         if "SITTING" in agent.node.states:
             agent.demand_standing()
-        if len(agent.graph.sources(node, "ON")) >= SEATS.get(node.name, 1):
-            refuse(f"there is no room left on the {node}")
+        taken = agent.graph.sources(node, "ON")
+        if len(taken) >= SEATS.get(node.name, 1):
+            loose = next((each for each in taken if "GRABBABLE" in each.properties), None)
+            remedy = (ActionCall(action="grab", arguments=(loose.name,)),) if loose else ()
+            raise ActionFailure("check", f"there is no room left on the {node}", remedy=remedy)
 
     def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
         (node,) = nodes

@@ -1,6 +1,7 @@
 from app.domain.action import ActionSignature
+from app.domain.errors import ActionFailure
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent, refuse
+from app.worlds.simulators.household_agent import HouseholdAgent
 from app.worlds.simulators.household_graph import Node
 
 
@@ -17,7 +18,7 @@ class StandUp:
     def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
         del nodes
         if not agent.seated:
-            refuse("the agent stands already")
+            raise ActionFailure("check", "the agent stands already", needless=True)
 
     def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
         del nodes
