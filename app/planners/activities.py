@@ -42,6 +42,11 @@ class Activities:
             TaskDeclined: something is absent, impossible or hazardous, or is no activity.
             Cancelled: ``report`` asked for it.
         """
+        if not load_activities(task.scene.world):
+            raise TaskDeclined(
+                f"the world {task.scene.world} has no activities; another planner may do",
+                kind="impossible",
+            )
         asking = _Asking(task, model, report)
         completion = asking.ask(())
         try:

@@ -219,7 +219,7 @@ class Home:
         return "putin" if inside and affords & {"containers", "can_open"} else "putback"
 
 
-RUN = ("machine", "device", "computer")
+RUN = ("machine", "computer")
 """Names of parameters for what is switched on."""
 STATES: Mapping[str, str] = {
     "open": "open",

@@ -119,7 +119,7 @@ def test_the_papers_tables_hold_our_figures_beside_the_printed_ones(data, tmp_pa
     ]
     results = evaluate_units(chosen, Script(), tmp_path / "out")
     found = {table.name: table for table in paper_tables(plan, results)}
-    assert set(found) == {"main", "by-task", "places", "places-ours", "sweep"}
+    assert set(found) == {"main", "by-task", "places", "sweep"}
     main = found["main"]
     row = dict(zip(main.columns, main.rows[0], strict=True))
     assert isinstance(row["SR"], Figure)

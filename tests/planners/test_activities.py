@@ -1,0 +1,97 @@
+from dataclasses import replace
+
+import pytest
+
+from app.domain.errors import Cancelled, CompletionFailed, TaskDeclined
+from app.domain.instruction import Instruction
+from app.domain.planner import PlannerOptions
+from app.domain.scene import Scene
+from app.planners import planners
+from app.rollout import plan_task
+from app.worlds import worlds
+
+HOUSEHOLD = worlds["household"]
+PLANNER = planners["activities"]
+
+
+@pytest.fixture
+def at_home(task):
+    def make(sentence, **options):
+        scene = HOUSEHOLD.complete(Scene(world="household", environment="env0"), 0)
+        return replace(
+            task(),
+            scene=scene,
+            actions=HOUSEHOLD.actions,
+            instruction=Instruction(sentence),
+            options=PlannerOptions(name="activities", **options),
+            facts=HOUSEHOLD.open_perfect(scene, 0).facts(),
+        )
+
+    return make
+
+
+def _planned(task, model):
+    def rehearsal():
+        return HOUSEHOLD.open_perfect(task.scene, 0)
+
+    return plan_task(task, PLANNER, model, rehearsal, lambda _: False)
+
+
+def test_a_sketch_comes_down_to_primitives_under_comments(at_home, canned):
+    planned = _planned(at_home("heat the bread"), canned("    heat('bread')\n"))
+    assert "# 0: grab the bread" in planned.text
+    assert "putin('bread', 'microwave')" in planned.text
+    assert planned.text.rstrip().endswith("Done")
+
+
+def test_assertions_take_the_place_of_what_may_be_so_already(at_home, canned):
+    task = at_home("open the window", feedback=True)
+    planned = _planned(task, canned("    open('window')\n"))
+    assert "assert('window' is 'opened')\n        else: open('window')" in planned.text
+
+
+def test_several_words_find_a_class_written_in_one(at_home, canned):
+    task = at_home("put the wine glass on the kitchen table")
+    planned = _planned(task, canned("    put('wine glass', 'kitchen table')\n"))
+    assert "putback('wineglass', 'kitchentable')" in planned.text
+
+
+def test_what_is_not_there_is_declined_with_the_reason(at_home, canned):
+    with pytest.raises(TaskDeclined) as declined:
+        _planned(
+            at_home("put the elephant in the fridge"), canned("    put('elephant', 'fridge')\n")
+        )
+    assert declined.value.kind == "absent"
+    assert "elephant" in declined.value.reason
+
+
+def test_an_activity_that_does_not_suit_the_thing_is_asked_for_again_without_it(at_home, canned):
+    model = canned("    wash('socks')\n")
+    _planned(at_home("wash the socks"), model)
+    assert len(model.requests) > 1
+    assert "wash(" in model.requests[0].grammar
+    assert '"wash("' not in model.requests[1].grammar
+
+
+def test_activities_that_nobody_spoke_of_are_not_on_offer(at_home, canned):
+    model = canned("    bring_me('mug')\n")
+    _planned(at_home("bring me the mug"), model)
+    assert "brush_teeth" in model.requests[0].prompt
+    assert "brush_teeth" not in model.requests[0].grammar
+
+
+def test_no_sketch_is_a_failure_that_keeps_the_completion(at_home, canned):
+    with pytest.raises(CompletionFailed, match="no sketch"):
+        _planned(at_home("bring me the mug"), canned("the mug, gladly"))
+
+
+def test_whoever_asks_for_it_stops_it(at_home, canned):
+    with pytest.raises(Cancelled):
+        PLANNER.write_program(
+            at_home("bring me the mug"), canned("    bring_me('mug')\n"), lambda _: True
+        )
+
+
+def test_a_world_without_activities_is_declined(task, canned):
+    with pytest.raises(TaskDeclined, match="no activities"):
+        PLANNER.write_program(task(name="activities"), canned(""), lambda _: False)
