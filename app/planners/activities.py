@@ -56,7 +56,7 @@ class Activities:
                     break
                 completion = asking.ask(unsuited)
                 composed, more = asking.understood(completion)
-                unsuited = unsuited | more if more else frozenset()
+                unsuited = (unsuited | more) if more else more
             asking.transcript.wrote(completion.text)
             body = tuple(asking.carried_out(composed.body))
         except ProgramRefused as refused:

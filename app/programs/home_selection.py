@@ -28,14 +28,14 @@ class HomeSelection(Selection):
         sentence: str,
         judge: Judge,
     ) -> None:
-        self._named = {apart(item.name): item.name for item in objects}
+        self._class_names = {apart(item.name): item.name for item in objects}
         spoken = [replace(item, name=apart(item.name)) for item in objects]
         super().__init__(read_things(spoken), _apart(facts), sentence, judge)
         self._rooms = [thing for thing in self.things if thing.item.category == "room"]
 
     def class_name(self, spoken: str) -> str:
         """What the world calls it."""
-        return self._named[spoken]
+        return self._class_names[spoken]
 
     def one(
         self,
@@ -81,7 +81,7 @@ class HomeSelection(Selection):
         Last of all what is named after the thing: a coffee pot where coffee is wanted.
         """
         said = words(phrase.text)
-        whole = [t for t in self.things if self._named[t.name] == "".join(said)]
+        whole = [t for t in self.things if self._class_names[t.name] == "".join(said)]
         if whole and whole[0].name not in without:
             return [(whole[0], EXACT)]
         if found := self._fitting(phrase, without):
