@@ -29,6 +29,7 @@ from app.programs.sketch_sets import COLLECTIVE, counted, halved, is_plural, mea
 from app.programs.sketch_sharing import sharing
 from app.programs.sketch_things import Thing, listed
 from app.programs.sketch_verbs import DIRECTIONS, LITERAL, PERSONS, SPOKEN, place_of, righted
+from app.programs.towers import tower
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +68,7 @@ class Composer:
                 kind="impossible",
             )
         calls = [each for each in sketch.body if isinstance(each, SketchCall)]
+        calls = self._piled_up(calls)
         self._name(calls)
         body: list[Statement] = []
         still: list[Statement] = []
@@ -78,6 +80,24 @@ class Composer:
             if isinstance(each, ActionCall):
                 self._refuse_hazard(each)
         return Composition(tuple(body), round(self._sureness, 3))
+
+    def _piled_up(self, calls: list[SketchCall]) -> list[SketchCall]:
+        """The calls with a tower in the order that the sentence plainly tells."""
+        pairs = tower(self._selection.sentence, self._selection.things)
+        stacking = [call for call in calls if self._puts(call)]
+        if pairs is None or not stacking:
+            return calls
+        action = stacking[-1].action
+        place = place_of(self._signatures[action], ())
+        built = [
+            SketchCall(action, tuple(map(_named, pair[::-1] if place == 0 else pair)))
+            for pair in pairs
+        ]
+        return [*(call for call in calls if call not in stacking), *built]
+
+    def _puts(self, call: SketchCall) -> bool:
+        signature = self._signatures.get(call.action)
+        return signature is not None and len(signature.parameters) == 2
 
     def _refuse_hazard(self, call: ActionCall) -> None:
         """Raise ``TaskDeclined`` where the call can hurt somebody."""
@@ -437,6 +457,10 @@ class Composer:
         return Comment(
             text=f"{text}: {listed([thing.name for thing in members], ',').replace(' , ', ', ')}"
         )
+
+
+def _named(name: str) -> Phrase:
+    return Phrase(text=name)
 
 
 def _into_itself(text: str) -> TaskDeclined:

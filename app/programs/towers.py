@@ -1,0 +1,152 @@
+"""The order of a tower as its sentence tells it: what stands on what, read from the words alone.
+
+Language models of this size mix up top and bottom; the words that tell are few: "on the", "at the
+bottom", "highest", "from top to bottom". Where they do not tell it plainly, nothing is said here.
+"""
+
+import itertools
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from app.programs.sketch_things import Thing
+
+Pair = tuple[str, str]
+"""A thing and what it stands on, by their names."""
+FEWEST = 3
+"""Things of a tower: the order of two is told by one word, which a model reads well."""
+_PILING = re.compile(r"\b(?:stack|pile|piled|tower|heap|build|burger|sandwich|top|bottom)\b", re.I)
+_ON = re.compile(r"\b(?:on|onto|atop|over)(?: top of)?(?: the| a| an| my| that| this)? $", re.I)
+_DOWN = re.compile(r"top to bottom|from the top\b|top down|from above|downwards", re.I)
+_UP = re.compile(r"bottom to top|bottom up|from the bottom|ground up|upwards", re.I)
+_LOWEST = re.compile(r"\b(?:bottom|lowest|base|below|undermost)\b", re.I)
+_HIGHEST = re.compile(
+    r"\b(?:highest|uppermost|topmost)\b|\b(?:on|at|to)(?: the)?(?: very)? top\b(?! of)", re.I
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Mention:
+    """Where a sentence names a thing."""
+
+    start: int
+    end: int
+    name: str
+
+
+def tower(sentence: str, things: Sequence[Thing]) -> list[Pair] | None:
+    """What is put on what, the lowest first; None where no tower is told, or not plainly."""
+    found = mentions(sentence, things)
+    told = _by_relation(sentence, found)
+    return told or (_by_place(sentence, found) if _PILING.search(sentence) else None)
+
+
+def mentions(sentence: str, things: Sequence[Thing]) -> list[Mention]:
+    """Every naming of a thing in the sentence, by its whole name or by the mark it alone has."""
+    spoken: dict[str, str] = {" ".join(thing.words): thing.name for thing in things}
+    alike = [
+        t for t in things if t.core and sum(t.core[-1] == o.core[-1] for o in things if o.core) > 1
+    ]
+    spoken |= {thing.words[0]: thing.name for thing in alike if len(thing.words) == 2}
+    longest = sorted(map(re.escape, spoken), key=len, reverse=True)
+    pattern = re.compile(rf"\b(?:{'|'.join(longest)})\b(?: (?:one|block|cube|brick)\b)?", re.I)
+    lowered = " ".join(sentence.lower().split())
+    return [
+        Mention(match.start(), match.end(), spoken[_known(match[0], spoken)])
+        for match in pattern.finditer(lowered)
+    ]
+
+
+def _known(text: str, spoken: dict[str, str]) -> str:
+    return text if text in spoken else text.rpartition(" ")[0]
+
+
+def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
+    """ "The saucer on the plate, the cup on the saucer": the pairs as they are told."""
+    text = " ".join(sentence.lower().split())
+    pairs: list[Pair] = []
+    for one, other in itertools.pairwise(found):
+        between = text[one.end : other.start]
+        if one.name != other.name and "." not in between and _ON.search(between):
+            pairs.append((one.name, other.name))
+    if len(pairs) < FEWEST - 1 or len({thing for thing, _ in pairs}) < len(pairs):
+        return None
+    if {name for pair in pairs for name in pair} != {each.name for each in found}:
+        return None
+    return _lowest_first(pairs)
+
+
+def _lowest_first(pairs: list[Pair]) -> list[Pair] | None:
+    """One chain from below; None where they are no chain."""
+    below = {thing: place for thing, place in pairs}
+    bases = [place for _, place in pairs if place not in below]
+    if len(bases) != 1:
+        return None
+    above = {place: thing for thing, place in pairs}
+    if len(above) != len(pairs):
+        return None
+    ordered, place = [], bases[0]
+    while place in above:
+        ordered.append((above[place], place))
+        place = above[place]
+    return ordered if len(ordered) == len(pairs) else None
+
+
+def _by_place(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
+    """ "Red at the bottom, then blue, green on top": a list, and words for its ends."""
+    text = " ".join(sentence.lower().split())
+    base = next((m for m in found if _ON.search(text[: m.start]) and _is_place(m, text)), None)
+    pieces = list(dict.fromkeys(m.name for m in found if m is not base))
+    if len(pieces) < FEWEST or (base and base.name in pieces):
+        return None
+    related = any(
+        _ON.search(text[one.end : other.start])
+        for one, other in itertools.pairwise(found)
+        if base not in (one, other)
+    )
+    if related:
+        return None
+    order = _ordered(text, found, pieces)
+    if order is None:
+        return None
+    chain = [base.name, *order] if base else order
+    return [(thing, place) for place, thing in itertools.pairwise(chain)]
+
+
+def _is_place(mention: Mention, text: str) -> bool:
+    """Whether it is where the whole is built: "on the tray" before the list or after it."""
+    return not re.match(r"[^,;.]*\b(?:lowest|highest|bottom)\b", text[mention.end :])
+
+
+def _ordered(text: str, found: Sequence[Mention], pieces: list[str]) -> list[str] | None:
+    """The pieces from below; None where the words do not tell."""
+    if _DOWN.search(text):
+        return pieces[::-1]
+    if _UP.search(text):
+        return pieces
+    lowest = _marked(text, found, _LOWEST)
+    highest = _marked(text, found, _HIGHEST)
+    if lowest not in pieces and highest not in pieces:
+        return None
+    if lowest in pieces and highest in pieces and lowest != highest:
+        inner = [each for each in pieces if each not in (lowest, highest)]
+        return [lowest, *(inner if _before(pieces, lowest, highest) else inner[::-1]), highest]
+    if lowest in pieces:
+        return pieces if pieces[0] == lowest else pieces[::-1] if pieces[-1] == lowest else None
+    return pieces if pieces[-1] == highest else pieces[::-1] if pieces[0] == highest else None
+
+
+def _before(pieces: list[str], one: str, other: str) -> bool:
+    return pieces.index(one) < pieces.index(other)
+
+
+def _marked(text: str, found: Sequence[Mention], mark: re.Pattern[str]) -> str | None:
+    """The one thing that is named in the clause of the mark."""
+    for match in mark.finditer(text):
+        start = max(text.rfind(each, 0, match.start()) for each in (",", ";", ".", ":", " and "))
+        ends = [text.find(each, match.end()) for each in (",", ";", ".", " and ", " then ")]
+        end = min((each for each in ends if each >= 0), default=len(text))
+        inside = {m.name for m in found if start < m.start < end}
+        if len(inside) == 1:
+            return inside.pop()
+    return None
