@@ -41,6 +41,7 @@ def add_beads(spec: mujoco.MjSpec, body_name: str, item: SceneObject, opening: O
             rgba=css("#3a6ea5"),
             density=1200.0,
             condim=6,
-            friction=(0.4, 0.005, 0.0003),
+            friction=(0.2, 0.002, 0.0001),
+            priority=1,  # else the vessel's friction, made for being gripped, would hold it
             solref=STIFFNESS,
         )
