@@ -24,6 +24,7 @@ TALL = ("can", "bottle", "cup", "candle", "battery", "salt_shaker")
 """Kinds that may lie on their side."""
 STACKED = ("block", "can", "cup", "neutral")
 SUPPORTS = ("book", "plate", "tray", "cracker_box")
+POURED_INTO = ("bowl", "box", "basket")
 SMALLEST_CONTAINER = 0.14
 """Narrower ones, mugs and cups, take only some objects [m]."""
 Rng = np.random.Generator
@@ -128,6 +129,15 @@ def _at(rng: Rng) -> Case:
     return Case(scene=scene, seed=seed, arguments=(item, x, y), wanted=(), place=(x, y))
 
 
+def _pour(rng: Rng) -> Case:
+    """A cup of beads, and something wider to pour them into."""
+    scene, seed, (source, target) = _table(rng, "cup", str(rng.choice(POURED_INTO)))
+    filled = replace(scene.objects[0], properties=(("contents", "beads"),))
+    scene = replace(scene, objects=(filled, *scene.objects[1:]))
+    wanted = (Relation("poured", (source, target)), Relation("upright", (source,)))
+    return Case(scene=scene, seed=seed, arguments=(source, target), wanted=wanted)
+
+
 def _push(rng: Rng) -> Case:
     """In a direction in which there is room."""
     while True:
@@ -188,6 +198,7 @@ CASES: dict[str, Callable[[Rng], Case]] = {
     "stack": _onto(lambda: list(STACKED), lambda: list(FLAT_TOPS), "on"),
     "grab_and_putin": _onto(_items, _wide, "in"),
     "place_at": _at,
+    "pour": _pour,
     "push": _push,
     "upright": _upright,
     "open": _shutting("open"),

@@ -29,6 +29,7 @@ CASES = {
     "place_left_of": (("block", "apple"), ["left_of(block, apple)", "near(block, apple)"]),
     "place_on": (("block", "book"), ["on(block, book)"]),
     "place_right_of": (("block", "apple"), ["right_of(block, apple)", "left_of(apple, block)"]),
+    "pour": (("cup", "bowl"), ["poured(cup, bowl)", "upright(cup)"]),
     "push": (("can", "right"), ["upright(can)"]),
     "stack": (("block", "book"), ["on(block, book)"]),
     "upright": (("can",), ["upright(can)"]),
@@ -62,11 +63,23 @@ def facts_of(texts):
 
 
 @pytest.fixture
-def prepared(scene, furnished, carry_out):
+def laid():
+    objects = (
+        SceneObject(
+            name="cup", position=(0.45, 0.25, 0.0), yaw=0.3, properties=(("contents", "beads"),)
+        ),
+        SceneObject(name="bowl", position=(0.5, -0.1, 0.0), yaw=0.0),
+    )
+    return Scene(world="tabletop", objects=objects, actions=tuple(actions))
+
+
+@pytest.fixture
+def prepared(scene, furnished, laid, carry_out):
     """A world of a kind as it must be before a verb's call."""
 
     def prepare(name, open_world):
-        world = open_world(furnished if name in ("open", "close") else scene)
+        scenes = {"open": furnished, "close": furnished, "pour": laid}
+        world = open_world(scenes.get(name, scene))
         for action, arguments in BEFORE.get(name, []):
             carry_out(world, *arguments, action=action)
         return world
