@@ -41,7 +41,7 @@ TASK = {
 @pytest.fixture
 def data(tmp_path):
     """A folder laid out like the paper's data, with one small task in each home."""
-    for place, part in PARTS.items():
+    for place, part in PARTS["test"].items():
         (tmp_path / f"env{place}.json").write_text(json.dumps(HOME))
         (tmp_path / part).write_text(json.dumps([TASK]))
     return tmp_path
@@ -85,6 +85,21 @@ def test_the_printed_figures_agree_with_one_another():
     assert str(Printed(1)) == "1"
 
 
+def test_the_tasks_to_train_on_are_a_suite_of_their_own(data):
+    [file] = PARTS["train"].values()
+    (data / file).write_text(json.dumps([TASK, TASK]))
+    suite = read_household(data, "train")
+    assert (suite.name, len(suite.tasks)) == ("paper-household-train", 1)
+
+
+def test_the_papers_own_rows_know_no_affordances_and_ours_do(data):
+    rows = methods(Plan(household=read_household(data)))
+    assert [row.name for row in rows if row.options.affordances] == [
+        *("ProgPrompt, affordances", "ProgPrompt, repair and replanning"),
+        *("activities, unconstrained", "activities, no repair", "best of ours"),
+    ]
+
+
 def test_the_first_row_is_run_first_and_the_sweep_last(data):
     plan = Plan(household=read_household(data), models=("scripted",))
     made = units(plan)
@@ -115,7 +130,7 @@ class Script:
 def test_the_papers_tables_hold_our_figures_beside_the_printed_ones(data, tmp_path):
     plan = Plan(household=read_household(data), models=("scripted",))
     chosen = [
-        unit for unit in units(plan) if unit.cell.name.startswith("ProgPrompt") and not unit.physics
+        unit for unit in units(plan) if unit.cell.name.startswith(("ProgPrompt", "best")) and not unit.physics
     ]
     results = evaluate_units(chosen, Script(), tmp_path / "out")
     found = {table.name: table for table in paper_tables(plan, results)}
