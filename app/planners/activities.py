@@ -45,7 +45,7 @@ class Activities:
         """
         if not load_activities(task.scene.world):
             raise TaskDeclined(
-                f"the world {task.scene.world} has no activities; another planner works there",
+                f"the world {task.scene.world} has no activities; another planner may do",
                 kind="impossible",
             )
         asking = _Asking(task, model, report)
@@ -57,7 +57,7 @@ class Activities:
                     break
                 completion = asking.ask(unsuited)
                 composed, more = asking.understood(completion)
-                unsuited = unsuited | more if more else frozenset()
+                unsuited = (unsuited | more) if more else more
             asking.transcript.wrote(completion.text)
             body = tuple(asking.carried_out(composed.body))
         except ProgramRefused as refused:

@@ -80,7 +80,10 @@ def load_activities(world: str) -> tuple[Activity, ...]:
 
 
 def _activity(text: str) -> Activity:
-    name, parameters = _HEAD.search(text).groups()
+    head = _HEAD.search(text)
+    if head is None:
+        raise ValueError(f"an activity begins with def, not {text[:40]!r}")
+    name, parameters = head.groups()
     called = ", ".join(f"'{each}'" for each in parameters.split(", ") if each)
     helper = parse_program(f"{text}\n\ndef task():\n    {name}({called})\n").helpers[0]
     told = text.split('"""')[1].strip() if text.startswith('"""') else ""
@@ -228,7 +231,7 @@ class Home:
         return "putin" if inside and affords & {"containers", "can_open"} else "putback"
 
 
-RUN = ("machine", "device", "computer")
+RUN = ("machine", "computer")
 """Names of parameters for what is switched on."""
 STATES: Mapping[str, str] = {
     "open": "open",

@@ -31,7 +31,7 @@ class HomeSelection(Selection):
         here: str | None = None,
     ) -> None:
         """``here`` is the room the agent is in, as the world calls it."""
-        self._named = {apart(item.name): item.name for item in objects}
+        self._class_names = {apart(item.name): item.name for item in objects}
         spoken = [replace(item, name=apart(item.name)) for item in objects]
         super().__init__(read_things(spoken), _apart(facts), sentence, judge)
         self._here = apart(here) if here else None
@@ -39,7 +39,7 @@ class HomeSelection(Selection):
 
     def class_name(self, spoken: str) -> str:
         """What the world calls it."""
-        return self._named[spoken]
+        return self._class_names[spoken]
 
     def one(
         self,
@@ -97,7 +97,7 @@ class HomeSelection(Selection):
         Last of all what is named after the thing: a coffee pot where coffee is wanted.
         """
         said = words(phrase.text)
-        whole = [t for t in self.things if self._named[t.name] == "".join(said)]
+        whole = [t for t in self.things if self._class_names[t.name] == "".join(said)]
         if whole and whole[0].name not in without:
             return [(whole[0], EXACT)]
         if found := self._fitting(phrase, without):

@@ -11,7 +11,7 @@ from app.programs.sketch import Phrase, SketchCall
 PLACES = word_list("places")
 TOOLS = word_list("tools")
 """Names of parameters for what something is done with."""
-_PLACING = "into|onto|over|in|on|to|at|against|under|through|around|towards|toward|inside|across"
+_PLACING = "into|onto|over|in|on|to|at|against|through|around|towards|toward|inside|across"
 _BEFORE = (
     r"\b({})\s+(?:top of\s+)?(?:the\s+|an?\s+|my\s+|your\s+|its\s+|his\s+|her\s+|some\s+)?{}\b"
 )

@@ -21,8 +21,8 @@ def test_answers_leave_at_once_and_not_when_nagle_lets_them():
             writer.close()
             return found
 
-    with _listening(Settings(port=0)) as (listener, _url):
-        with ThreadPoolExecutor(
-            1
-        ) as aside:  # A loop of another test may be running in this thread.
-            assert aside.submit(asyncio.run, accepted(listener)).result()
+    with (
+        _listening(Settings(port=0)) as (listener, _url),
+        ThreadPoolExecutor(1) as aside,
+    ):  # A loop of another test may be running in this thread.
+        assert aside.submit(asyncio.run, accepted(listener)).result()

@@ -83,6 +83,7 @@ class Declines:
     """A planner that will do nothing."""
 
     model = "scripted"
+    repairs = False
 
     def write_program(self, task, model, report):
         raise TaskDeclined("there is no moon", kind="absent")

@@ -130,11 +130,11 @@ class Script:
 def test_the_papers_tables_hold_our_figures_beside_the_printed_ones(data, tmp_path):
     plan = Plan(household=read_household(data), models=("scripted",))
     chosen = [
-        unit for unit in units(plan) if unit.cell.name.startswith(("ProgPrompt", "best")) and not unit.physics
+        unit for unit in units(plan) if unit.cell.name.startswith("ProgPrompt") and not unit.physics
     ]
     results = evaluate_units(chosen, Script(), tmp_path / "out")
     found = {table.name: table for table in paper_tables(plan, results)}
-    assert set(found) == {"main", "by-task", "places", "places-ours", "sweep"}
+    assert set(found) == {"main", "by-task", "places", "sweep"}
     main = found["main"]
     row = dict(zip(main.columns, main.rows[0], strict=True))
     assert isinstance(row["SR"], Figure)

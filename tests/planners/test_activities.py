@@ -1,9 +1,9 @@
-"""The household's own planner, with the sketch a model would write."""
+from dataclasses import replace
 
 import pytest
 
 from app.domain.condition import decide
-from app.domain.errors import CompletionFailed, TaskDeclined
+from app.domain.errors import Cancelled, CompletionFailed, TaskDeclined
 from app.domain.goal import Goal
 from app.domain.instruction import Instruction
 from app.domain.planner import PlannerOptions, Task
@@ -14,24 +14,91 @@ from app.programs.conditions import parse_condition
 from app.rollout import carry_out, collect, offered, plan_task
 from app.worlds import worlds
 
-HOME = worlds["household"]
+HOUSEHOLD = worlds["household"]
 PLANNER = planners["activities"]
 
 
-def _task(sentence, environment="env0"):
-    scene = HOME.complete(Scene(world="household", environment=environment), 0)
-    return Task(
-        scene=scene,
-        actions=offered(HOME, scene),
-        instruction=Instruction(sentence),
-        options=PlannerOptions(name="activities", feedback=True),
-        facts=HOME.open_perfect(scene, 0).facts(),
-    )
+@pytest.fixture
+def at_home(task):
+    def make(sentence, **options):
+        scene = HOUSEHOLD.complete(Scene(world="household", environment="env0"), 0)
+        return replace(
+            task(),
+            scene=scene,
+            actions=HOUSEHOLD.actions,
+            instruction=Instruction(sentence),
+            options=PlannerOptions(name="activities", **options),
+            facts=HOUSEHOLD.open_perfect(scene, 0).facts(),
+        )
+
+    return make
 
 
 def _planned(task, model):
-    open_home = lambda: HOME.open_perfect(task.scene, 0)  # noqa: E731
-    return plan_task(task, PLANNER, model, open_home, lambda _: False)
+    def rehearsal():
+        return HOUSEHOLD.open_perfect(task.scene, 0)
+
+    return plan_task(task, PLANNER, model, rehearsal, lambda _: False)
+
+
+def test_a_sketch_comes_down_to_primitives_under_comments(at_home, canned):
+    planned = _planned(at_home("heat the bread"), canned("    heat('bread')\n"))
+    assert "# 0: grab the bread" in planned.text
+    assert "putin('bread', 'microwave')" in planned.text
+    assert planned.text.rstrip().endswith("Done")
+
+
+def test_assertions_take_the_place_of_what_may_be_so_already(at_home, canned):
+    task = at_home("open the window", feedback=True)
+    planned = _planned(task, canned("    open('window')\n"))
+    assert "assert('window' is 'opened')\n        else: open('window')" in planned.text
+
+
+def test_several_words_find_a_class_written_in_one(at_home, canned):
+    task = at_home("put the wine glass on the kitchen table")
+    planned = _planned(task, canned("    put('wine glass', 'kitchen table')\n"))
+    assert "putback('wineglass', 'kitchentable')" in planned.text
+
+
+def test_what_is_not_there_is_declined_with_the_reason(at_home, canned):
+    with pytest.raises(TaskDeclined) as declined:
+        _planned(
+            at_home("put the elephant in the fridge"), canned("    put('elephant', 'fridge')\n")
+        )
+    assert declined.value.kind == "absent"
+    assert "elephant" in declined.value.reason
+
+
+def test_an_activity_that_does_not_suit_the_thing_is_asked_for_again_without_it(at_home, canned):
+    model = canned("    wash('socks')\n")
+    _planned(at_home("wash the socks"), model)
+    assert len(model.requests) > 1
+    assert "wash(" in model.requests[0].grammar
+    assert '"wash("' not in model.requests[1].grammar
+
+
+def test_activities_that_nobody_spoke_of_are_not_on_offer(at_home, canned):
+    model = canned("    bring_me('mug')\n")
+    _planned(at_home("bring me the mug"), model)
+    assert "brush_teeth" in model.requests[0].prompt
+    assert "brush_teeth" not in model.requests[0].grammar
+
+
+def test_no_sketch_is_a_failure_that_keeps_the_completion(at_home, canned):
+    with pytest.raises(CompletionFailed, match="no sketch"):
+        _planned(at_home("bring me the mug"), canned("the mug, gladly"))
+
+
+def test_whoever_asks_for_it_stops_it(at_home, canned):
+    with pytest.raises(Cancelled):
+        PLANNER.write_program(
+            at_home("bring me the mug"), canned("    bring_me('mug')\n"), lambda _: True
+        )
+
+
+def test_a_world_without_activities_is_declined(task, canned):
+    with pytest.raises(TaskDeclined, match="no activities"):
+        PLANNER.write_program(task(name="activities"), canned(""), lambda _: False)
 
 
 @pytest.mark.parametrize(
@@ -48,30 +115,25 @@ def _planned(task, model):
     ],
 )  # fmt: skip
 def test_what_is_asked_for_is_so_in_the_end(sentence, sketch, environment, goal, canned):
-    planned = _planned(_task(sentence, environment), canned(f"    {sketch}\n\n"))
-    world = HOME.open_perfect(_task(sentence, environment).scene, 0)
+    home = worlds["household"]
+    scene = home.complete(Scene(world="household", environment=environment), 0)
+    world = home.open_perfect(scene, 0)
+    task = Task(
+        scene=scene,
+        actions=offered(home, scene),
+        instruction=Instruction(sentence),
+        options=PlannerOptions(name="activities", feedback=True),
+        facts=world.facts(),
+    )
+    planned = plan_task(
+        task,
+        planners["activities"],
+        canned(f"    {sketch}\n\n"),
+        lambda: home.open_perfect(scene, 0),
+        lambda _: False,
+    )
     events = []
     carry_out(planned.plan, Goal(()), world, collect(events))
     assert not [each for each in events if isinstance(each, ActionFailed | CallSkipped)]
     unmet = [each for each in goal if not decide(parse_condition(each), world.holds)]
     assert unmet == [], planned.text
-
-
-@pytest.mark.parametrize("sketch", ["put('elephant', 'fridge')", "bring_me('dragon')"])
-def test_what_is_not_there_is_declined_with_a_question(sketch, canned):
-    with pytest.raises(TaskDeclined) as declined:
-        _planned(_task("put it in the fridge for me"), canned(f"    {sketch}\n\n"))
-    assert declined.value.kind == "absent"
-    assert declined.value.question
-
-
-def test_a_model_that_writes_nothing_fails(canned):
-    with pytest.raises(CompletionFailed):
-        _planned(_task("put the apple in the fridge"), canned(""))
-
-
-def test_a_world_without_activities_is_declined(task, canned):
-    with pytest.raises(TaskDeclined, match="has no activities"):
-        PLANNER.write_program(
-            task(name="activities"), canned("    put('a', 'b')\n\n"), lambda _: False
-        )

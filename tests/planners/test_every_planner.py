@@ -17,7 +17,7 @@ EMBEDDING = {"langprompt", "zero_shot"}
 """They need the weights of the sentence embeddings."""
 
 AT_HOME = {"activities"}
-"""They know the household only; it has tests of its own."""
+"""They plan in a home, and not at the table (see their own tests)."""
 
 with_weights = [
     pytest.param(

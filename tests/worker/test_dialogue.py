@@ -112,6 +112,7 @@ class Declining:
     """Plans nothing, ever."""
 
     model = "scripted"
+    repairs = False
 
     def write_program(self, task, model, report):
         raise TaskDeclined(

@@ -7,7 +7,7 @@ import json
 from functools import cache
 from pathlib import Path
 
-from app.programs.knowledge.classes import endings, head_first
+from app.programs.knowledge.classes import endings, head_first, normal
 
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "uses.json"
 
@@ -18,7 +18,7 @@ def uses(name: str) -> tuple[str, ...]:
     A desk lamp's are those of a lamp where none are known of its own.
     """
     table = _table()
-    for ending in endings(head_first(name)):
+    for ending in (normal(name), *endings(head_first(name))):
         if found := table.get(ending) or table.get(ending.replace(" ", "")):
             return found
     return ()
@@ -34,5 +34,6 @@ def phrases() -> tuple[str, ...]:
 def _table() -> dict[str, tuple[str, ...]]:
     entries: dict[str, str] = json.loads(FILE.read_text(encoding="utf-8"))
     return {
-        noun: tuple(phrase.strip() for phrase in told.split(";")) for noun, told in entries.items()
+        normal(noun): tuple(phrase.strip() for phrase in told.split(";"))
+        for noun, told in entries.items()
     }

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from app.worlds.simulators.mujoco.arm import Arm
 from app.worlds.simulators.mujoco.cloud import Cloud
+from app.worlds.simulators.mujoco.solid import VISUAL_GROUP
 
 Array = NDArray[np.float64]
 
@@ -55,6 +56,9 @@ class Collisions(ABC):
         self._hand = int(model.body(arm.hand).id)
         self._is_robot = robot[model.geom_bodyid]
         self._solid = (model.geom_contype != 0) | (model.geom_conaffinity != 0)
+        # Beads touch, but nothing need keep clear of them.
+        self._solid &= model.geom_group != VISUAL_GROUP
+        model.geom_contype[~self._solid] = model.geom_conaffinity[~self._solid] = 0
         self._carried = np.zeros(model.ngeom, bool)
         self._set_masks(self._is_robot, ROBOT)
         self._set_masks(~self._is_robot, OBSTACLE)

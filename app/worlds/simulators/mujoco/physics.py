@@ -37,6 +37,7 @@ class Physics:
         # What rests and is not touched costs nothing: five times as many steps a second.
         self.model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         self.bodies = built.bodies
+        self.beads = built.beads
         self.arm = built.arm
         self._gripper = self.arm.joints  # its place in ``ctrl``
         self.model.opt.impratio = FRICTION_STIFFNESS

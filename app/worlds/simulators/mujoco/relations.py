@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from app.domain.condition import Relation
 from app.worlds.simulators.mujoco.collision import robot_bodies
+from app.worlds.simulators.mujoco.opening import Opening
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.placement import REACH
 from app.worlds.simulators.mujoco.scene_builder import ObjectBody
@@ -25,6 +26,7 @@ Array = NDArray[np.float64]
 RELATIONS = {
     "in": 2, "on": 2, "left_of": 2, "right_of": 2, "in_front_of": 2, "behind": 2, "near": 2,
     "upright": 1, "held": 1, "open": 1, "closed": 1, "clear": 1, "handed_over": 1,
+    "poured": 2,
 }  # fmt: skip
 """What can be decided, with the number of arguments."""
 TOUCH = 0.001
@@ -45,6 +47,8 @@ AJAR, SHUT = 0.6, 0.08
 ACROSS = REACH[1] + 0.005
 """What stands so far ahead of the robot is within reach of the person across the table [m]; no scene
 begins with an object there."""
+MOST_BEADS = 0.8
+"""This share of the beads must have arrived."""
 CARRIES = 0.5
 """The upward part of the normal from which on a contact carries what is above it."""
 
@@ -66,6 +70,7 @@ class Relations:
         for body in self._bodies.values():
             self._owner[list(body.parts)] = body.body_id
         objects = {part for body in self._bodies.values() for part in body.parts}
+        objects.update(*physics.beads.values())
         self._ground = {
             body for body in range(self._model.nbody) if body not in objects and not robot[body]
         }
@@ -88,6 +93,7 @@ class Relations:
         - ``clear(a)``: nothing is on a.
         - ``handed_over(a)``: a stands on the table, its middle at least ``ACROSS`` ahead of the robot,
           before the person on the other side, and nothing holds it.
+        - ``poured(a, b)``: of the beads that were in a, at least ``MOST_BEADS`` lie in b.
         """
         items = [self._bodies.get(name) for name in relation.arguments]
         if None in items or len(items) != RELATIONS.get(relation.name):
@@ -192,15 +198,9 @@ class Relations:
         opening = container.opening
         if opening is None or item is container:
             return False
+        centre = self._in_cavity(item.body_id, container)
         data = self._data
-        rotation = data.xmat[container.cavity].reshape(3, 3)
-        centre = rotation.T @ (data.xipos[item.body_id] - data.xpos[container.cavity])
-        half = np.array(opening.half_extents)
-        if opening.shape == "round":
-            within = float(np.hypot(*(centre[:2] / half))) < 1.0
-        else:
-            within = bool(np.all(np.abs(centre[:2]) < half))
-        if not within or centre[2] <= opening.floor:
+        if not _within(centre, opening) or centre[2] <= opening.floor:
             return False
         above = self._lowest(item) - float(data.xpos[container.cavity][2]) - opening.rim
         # What lies across the rim, as a pen over a cup, touches the container and hangs over it.
@@ -255,6 +255,20 @@ class Relations:
             return False
         return bool(self.place(item.name)[0] > ACROSS)
 
+    def _poured(self, source: ObjectBody, target: ObjectBody) -> bool:
+        beads = self._physics.beads.get(source.name, ())
+        opening = target.opening
+        if not beads or opening is None or source is target:
+            return False
+        places = [self._in_cavity(bead, target) for bead in beads]
+        arrived = [_within(p, opening) and 0 < p[2] < opening.rim + HEAP for p in places]
+        return sum(arrived) >= MOST_BEADS * len(beads)
+
+    def _in_cavity(self, body: int, container: ObjectBody) -> Array:
+        """A body's centre of mass in the frame of the container's opening, shape (3,) [m]."""
+        rotation = self._data.xmat[container.cavity].reshape(3, 3)
+        return rotation.T @ (self._data.xipos[body] - self._data.xpos[container.cavity])
+
     def _near(self, item: ObjectBody, other: ObjectBody) -> bool:
         if item is other or self._far_apart(item, other):
             return False
@@ -284,6 +298,14 @@ class Relations:
         up = self._data.geom_xmat[geom].reshape(3, 3)[2]
         height = self._data.geom_xpos[geom][2] + up @ middle - np.abs(up) @ half
         return float(height)
+
+
+def _within(centre: Array, opening: Opening) -> bool:
+    """Whether a point of the opening's frame, shape (3,), is inside its outline, seen from above."""
+    half = np.array(opening.half_extents)
+    if opening.shape == "round":
+        return float(np.hypot(*(centre[:2] / half))) < 1.0
+    return bool(np.all(np.abs(centre[:2]) < half))
 
 
 def _extent(item: ObjectBody) -> float:

@@ -10,6 +10,7 @@ from app.domain.scene import Scene, SceneObject
 from app.worlds.simulators.mujoco.arm import Arm
 from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 from app.worlds.simulators.mujoco.articulation import Articulation
+from app.worlds.simulators.mujoco.beads import COUNT, add_beads, has_beads
 from app.worlds.simulators.mujoco.colours import css
 from app.worlds.simulators.mujoco.objects import kinds
 from app.worlds.simulators.mujoco.opening import Opening
@@ -61,6 +62,8 @@ class BuiltScene:
     model: mujoco.MjModel
     bodies: dict[str, ObjectBody]
     arm: Arm
+    beads: dict[str, tuple[int, ...]]
+    """The bodies of the beads that an object held at first, by its name."""
 
 
 def build(scene: Scene, *, visuals: bool = True) -> BuiltScene:
@@ -75,12 +78,22 @@ def build(scene: Scene, *, visuals: bool = True) -> BuiltScene:
     spec = furnished(arm, visuals=visuals).copy()
     for index, item in enumerate(scene.objects):
         add_object(spec, f"object/{index}", item, visuals=visuals)
+    filled: dict[str, str] = {}
+    for index, item in enumerate(scene.objects):
+        opening = kinds[item.kind or ""].opening(item.size or (0.0, 0.0, 0.0))
+        if opening is not None and has_beads(item):
+            add_beads(spec, f"object/{index}", item, opening)
+            filled[item.name] = f"object/{index}"
     model = spec.compile()
+    beads = {
+        name: tuple(int(model.body(f"{body}/bead/{k}").id) for k in range(COUNT))
+        for name, body in filled.items()
+    }
     bodies = {
         item.name: located(model, f"object/{index}", item, shut=_begins_shut(scene, item))
         for index, item in enumerate(scene.objects)
     }
-    return BuiltScene(model=model, bodies=bodies, arm=arm)
+    return BuiltScene(model=model, bodies=bodies, arm=arm, beads=beads)
 
 
 def add_object(spec: mujoco.MjSpec, body_name: str, item: SceneObject, *, visuals: bool) -> None:
