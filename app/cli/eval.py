@@ -16,7 +16,7 @@ from app.evaluation import paper
 from app.evaluation.attempt import Unit
 from app.evaluation.cells import make_cells
 from app.evaluation.comparison import compare
-from app.evaluation.household_data import read_household
+from app.evaluation.household_data import Part, read_household
 from app.evaluation.linter import lint
 from app.evaluation.metrics import BY_NAME, METRICS
 from app.evaluation.results import Result, Verdict, read_results, write_result
@@ -104,6 +104,7 @@ def _suite_command(name: str) -> click.Command:
     @click.option("--comments/--no-comments", default=None)
     @click.option("--feedback/--no-feedback", default=None, help="Assertions with recoveries.")
     @click.option("--constrained/--unconstrained", default=None, help="Decode under a grammar.")
+    @click.option("--affordances/--no-affordances", default=None, help="In that grammar.")
     @click.option("--temperature", type=click.FloatRange(0, 2))
     @click.option("--objects", type=click.Choice(["local", "global", "properties"]))
     @click.option("--choice", type=click.Choice(["fixed", "random", "similar"]))
@@ -119,6 +120,13 @@ def _suite_command(name: str) -> click.Command:
     @click.option(
         "--household-data", type=EXISTING, help="Take the paper's tasks from this folder instead."
     )
+    @click.option(
+        "--part",
+        type=click.Choice(["test", "train"]),
+        default="test",
+        show_default=True,
+        help="Which of the paper's tasks.",
+    )
     @click.option("--jobs", default=1, show_default=True, type=click.IntRange(1, 64))
     def measure(  # noqa: PLR0913 - one parameter per option
         planners: tuple[str, ...],
@@ -133,10 +141,11 @@ def _suite_command(name: str) -> click.Command:
         minutes: float | None,
         physics: bool,
         household_data: Path | None,
+        part: Part,
         jobs: int,
         **switches: Any,  # noqa: ANN401 - the options of the planner
     ) -> None:
-        suite = read(name, household_data).chosen(
+        suite = read(name, household_data, part).chosen(
             split=split, categories=categories, names=names, limit=limit
         )
         if not suite.tasks:
@@ -164,7 +173,7 @@ def _suite_command(name: str) -> click.Command:
     return measure
 
 
-def read(name: str, household_data: Path | None = None) -> Suite:
+def read(name: str, household_data: Path | None = None, part: Part = "test") -> Suite:
     """A shipped suite, one in a file or, of the household's name and data, the paper's.
 
     Raises:
@@ -172,7 +181,7 @@ def read(name: str, household_data: Path | None = None) -> Suite:
     """
     try:
         if household_data is not None:
-            return read_household(household_data)
+            return read_household(household_data, part)
         return read_suite(Path(name)) if Path(name).is_file() else find_suite(name)
     except ProgPromptError as error:
         raise click.ClickException(str(error)) from error

@@ -25,6 +25,8 @@ class PlannerOptions:
     examples: int = 3
     constrained: bool = True
     """Decode under a grammar made from the scene, where the backend can."""
+    affordances: bool = True
+    """The grammar binds objects to what can be done with them, too; not so in the paper."""
     temperature: float = 0.0
     seed: int = 0
     max_tokens: int = 600

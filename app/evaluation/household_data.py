@@ -8,7 +8,7 @@ import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from app.domain.condition import Relation
 from app.domain.errors import Fault, Refused
@@ -19,16 +19,21 @@ from app.programs.conditions import print_condition
 from app.worlds.simulators.household_goals import OF_ONE, OF_TWO
 from app.worlds.simulators.household_graph import HANDS
 
-PARTS = {0: "tasks_test_unseen.json", 1: "tasks_env1.json", 2: "tasks_env2.json"}
-"""The paper's ten tasks in each environment."""
+Part = Literal["test", "train"]
+PARTS: dict[Part, dict[int, str]] = {
+    "test": {0: "tasks_test_unseen.json", 1: "tasks_env1.json", 2: "tasks_env2.json"},
+    "train": {0: "tasks_train.json"},
+}
+"""The paper's ten tasks in each environment; and the 35 that its example programs come from."""
+NAMES: dict[Part, str] = {"test": "paper-household", "train": "paper-household-train"}
 AGENT = 1
 """Id of the agent in every graph of theirs."""
 _CALL = re.compile(r"\[(\w+)\]((?: <[^>]+> \(\d+\))*)")
 _NAME = re.compile(r"<([^>]+)>")
 
 
-def read_household(folder: Path) -> Suite:
-    """The paper's 30 tasks, 10 in each environment, from the official start.
+def read_household(folder: Path, part: Part = "test") -> Suite:
+    """The paper's 30 tasks, 10 in each environment, from the official start; or those to train on.
 
     Names begin with the environment, since several tasks come in more than one.
 
@@ -36,11 +41,12 @@ def read_household(folder: Path) -> Suite:
         Refused: the folder does not hold them.
     """
     try:
-        tasks = tuple(task for place, part in PARTS.items() for task in _part(folder, place, part))
+        read = (task for place, file in PARTS[part].items() for task in _part(folder, place, file))
+        tasks = tuple({task.name: task for task in read}.values())
     except (OSError, ValueError, KeyError) as error:
         message = f"{folder} does not hold the paper's tasks: {error}"
         raise Refused(Fault(field="household-data", message=message)) from error
-    return Suite(name="paper-household", tasks=tasks)
+    return Suite(name=NAMES[part], tasks=tasks)
 
 
 def _part(folder: Path, place: int, part: str) -> Iterator[SuiteTask]:

@@ -53,6 +53,7 @@ def methods(plan: Plan) -> tuple[Cell, ...]:
         name="progprompt",
         model=plan.models[0],
         feedback=True,
+        affordances=False,
         temperature=plan.temperature,
         max_tokens=MAX_TOKENS,
     )
@@ -72,19 +73,24 @@ def methods(plan: Plan) -> tuple[Cell, ...]:
     ]
     rows += [
         Cell(name=f"{FULL}, unconstrained", options=replace(base, constrained=False)),
+        Cell(name=f"{FULL}, affordances", options=replace(base, affordances=True)),
         Cell(name=f"{FULL}, similar examples", options=replace(base, choice="similar")),
         Cell(name=f"{FULL}, repair", options=replace(base, repair=True)),
         Cell(name=f"{FULL}, repair and replanning", options=_helped(base)),
     ]
     best = worlds["household"].planner
     if best != "progprompt":
-        chosen = replace(_helped(base), name=best, model="default", choice="fixed")
-        rows.append(Cell(name=OURS, options=chosen))
+        alone = replace(base, name=best, model="default", affordances=True)
+        rows += [
+            Cell(name=f"{best}, unconstrained", options=replace(alone, constrained=False)),
+            Cell(name=f"{best}, no repair", options=replace(alone, repair=False)),
+            Cell(name=OURS, options=replace(_helped(alone), choice="fixed")),
+        ]
     return tuple(rows)
 
 
 def _helped(options: PlannerOptions) -> PlannerOptions:
-    return replace(options, repair=True, max_replans=2, choice="similar")
+    return replace(options, repair=True, max_replans=2, choice="similar", affordances=True)
 
 
 def units(plan: Plan) -> list[Unit]:

@@ -43,7 +43,7 @@ NEEDED = {
 NEAR = "'close' to "
 
 
-def program_grammar(
+def program_grammar(  # noqa: PLR0913 - one parameter per switch
     scene: Scene,
     actions: Iterable[ActionSignature],
     *,
@@ -51,14 +51,16 @@ def program_grammar(
     feedback: bool,
     relations: Iterable[str] = PLACES,
     begun: bool = False,
+    affordances: bool = True,
 ) -> str:
     """The grammar of everything after the cue: indented lines, then an empty one.
 
     With ``comments`` a comment may stand before each call and at the end; with ``feedback``
     assertions of these ``relations`` with recoveries, as the paper writes them, may stand between
-    the calls. A body that was ``begun`` may have nothing left to say.
+    the calls. A body that was ``begun`` may have nothing left to say. Without ``affordances`` any
+    object may stand where one is wanted, whatever can be done with it.
     """
-    words = _Words(scene)
+    words = _Words(scene, affordances=affordances)
     calls = [rule for action in actions if (rule := words.call(action))]
     remark = "comment? " if comments else ""
     declined = f'declined ::= {remark}{_quote(INDENT)} "pass\\n"'
@@ -83,13 +85,14 @@ def program_grammar(
 class _Words:
     """The rules for what may stand between a call's brackets."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, *, affordances: bool) -> None:
         self.names = scene.names
-        holders = tuple(item.name for item in scene.objects if item.container)
+        told = scene.objects if affordances else ()
+        holders = tuple(item.name for item in told if item.container)
         self.holders = holders or scene.names
-        things = tuple(item.name for item in scene.objects if item.category != ROOM)
+        things = tuple(item.name for item in told if item.category != ROOM)
         self.supports = things or scene.names
-        self._affordances = {item.name: _affordances(item) for item in scene.objects}
+        self._affordances = {item.name: _affordances(item) for item in told}
         self.rules: list[str] = []
         self._known: dict[str, str] = {}
 

@@ -3,6 +3,7 @@
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from app.domain.action import ActionSignature
+from app.domain.condition import Relation
 from app.domain.errors import ProgramRefused, TaskDeclined
 from app.domain.llm import Completion, LanguageModel
 from app.domain.planner import Draft, Report, Task
@@ -94,11 +95,13 @@ class _Asking:
         prompt = write_sketch_prompt(self._sentence, self._signatures, task.history)
         self.transcript = Transcript(task.options.name, model, prompt, report)
         self._home = Home(task.scene.objects, feedback=task.options.feedback)
+        self._here = _room(task)
         self._selection = self._looking()
 
     def _looking(self) -> HomeSelection:
         task = self._task
-        return HomeSelection(task.scene.objects, task.facts, task.instruction.text, likeness)
+        sentence, here = task.instruction.text, self._here
+        return HomeSelection(task.scene.objects, task.facts, sentence, likeness, here)
 
     def ask(self, unsuited: Collection[str]) -> Completion:
         """A sketch of the activities that the sentence may mean, without these."""
@@ -148,3 +151,12 @@ class _Asking:
 
     def _names(self, call: ActionCall) -> list[str]:
         return [self._selection.class_name(str(each)) for each in call.arguments]
+
+
+def _room(task: Task) -> str | None:
+    """Where the agent is, if the home tells."""
+    if task.rehearsal is None or task.scene.agent is None:
+        return None
+    home, agent = task.rehearsal(), task.scene.agent
+    rooms = (item.name for item in task.scene.objects if item.category == "room")
+    return next((room for room in rooms if home.holds(Relation("in", (agent, room)))), None)

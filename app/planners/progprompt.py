@@ -143,6 +143,7 @@ def _grammar(task: Task, *, begun: bool = False) -> str:
         feedback=options.feedback,
         relations=shown or PLACES,
         begun=begun,
+        affordances=options.affordances,
     )
 
 

@@ -158,6 +158,8 @@ class Home:
             match statement:
                 case Comment(text=text):
                     yield self._comment(text, given)
+                case ActionCall() if self._stands_fixed(statement, activity, given):
+                    continue
                 case ActionCall():
                     names = [self._name(each, given) for each in statement.arguments]
                     if None not in names:
@@ -169,6 +171,13 @@ class Home:
         if idle:
             asked = " ".join((activity.signature.name.replace("_", " "), *map(apart, arguments)))
             raise TaskDeclined(f"nothing here can be done for: {asked}", kind="impossible")
+
+    def _stands_fixed(self, call: ActionCall, activity: Activity, given: Mapping[str, str]) -> bool:
+        """Whether it would take what cannot be carried, and is there for something else: a radio."""
+        needs = {each.name: each.affordance for each in activity.signature.parameters}
+        name = str(call.arguments[-1]) if call.arguments else ""
+        taken = call.action == "grab" and needs.get(name, "grabbable") != "grabbable"
+        return taken and "grabbable" not in self._affords[given[name]]
 
     def _comment(self, text: str, given: Mapping[str, str]) -> Comment:
         said = _MENTIONED.sub(lambda match: apart(given.get(match[1], match[1])), text.strip())

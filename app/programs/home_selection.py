@@ -15,6 +15,7 @@ from app.programs.sketch_things import Thing, read_things
 
 EQUAL = 0.015
 """Fits this close to the best are as good."""
+HEAPS = ("pile", "heap", "stack", "load")
 _LINKS = ("on", "in", "under", "from", "at", "by", "near", "off", "of", "with", "inside", "beside")
 
 
@@ -27,10 +28,13 @@ class HomeSelection(Selection):
         facts: frozenset[Relation],
         sentence: str,
         judge: Judge,
+        here: str | None = None,
     ) -> None:
+        """``here`` is the room the agent is in, as the world calls it."""
         self._class_names = {apart(item.name): item.name for item in objects}
         spoken = [replace(item, name=apart(item.name)) for item in objects]
         super().__init__(read_things(spoken), _apart(facts), sentence, judge)
+        self._here = apart(here) if here else None
         self._rooms = [thing for thing in self.things if thing.item.category == "room"]
 
     def class_name(self, spoken: str) -> str:
@@ -45,7 +49,7 @@ class HomeSelection(Selection):
         holds: bool = False,
         affordance: str | None = None,
     ) -> Found:
-        """The likeliest; where several fit as well, the first, one of the room that is told.
+        """The likeliest; of several that fit as well one of the room that is told, or of this one.
 
         Raises:
             TaskDeclined: nothing fits.
@@ -57,10 +61,20 @@ class HomeSelection(Selection):
         best = max(score for _, score in found)
         equal = [thing for thing, score in found if score >= best - EQUAL]
         there = [thing for thing in equal if room is None or room in _rooms_of(thing)]
-        preferred = there or equal
+        preferred = self._heap(phrase, without) or there or equal
         if holds:
             preferred = [thing for thing in preferred if thing.item.container] or preferred
-        return Found((min(preferred, key=lambda thing: thing.item.category == "room"),), best)
+        return Found((min(preferred, key=self._distance),), best)
+
+    def _heap(self, phrase: Phrase, without: Collection[str]) -> list[Thing]:
+        """What is all of them together: the clothes pile, where clothes are meant."""
+        said = words(phrase.text)
+        heaps = [t for t in self.things if t.words[:-1] == said and t.words[-1] in HEAPS]
+        return [thing for thing in heaps if thing.name not in without]
+
+    def _distance(self, thing: Thing) -> tuple[bool, bool]:
+        """Things before rooms, and what is in this room before the rest."""
+        return thing.item.category == "room", self._here not in _rooms_of(thing)
 
     def all(
         self, phrase: Phrase, without: Collection[str] = (), *, affordance: str | None = None
@@ -71,6 +85,8 @@ class HomeSelection(Selection):
             TaskDeclined: nothing fits.
         """
         phrase, _ = self._in_room(phrase)
+        if heap := self._heap(phrase, without):
+            return Found(tuple(heap), EXACT)
         if self._fitting(phrase, without):
             return super().all(phrase, without, affordance=affordance)
         return self.one(phrase, without, affordance=affordance)

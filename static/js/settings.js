@@ -15,6 +15,7 @@ const SWITCHES = [
   { name: "examples", label: "Example programs", field: "planner.examples", standard: 3, min: 0, max: 7, step: 1 },
   { name: "max_replans", label: "Plan anew, at most", field: "planner.max_replans", standard: 0, min: 0, max: 5, step: 1 },
   { name: "constrained", label: "Only names of this scene (grammar)", field: "planner.constrained", standard: true },
+  { name: "affordances", label: "Only what can be done with them (grammar)", field: "planner.affordances", standard: true },
   { name: "repair", label: "Add steps that a precondition calls for", field: "planner.repair", standard: false },
   { name: "temperature", label: "Temperature", field: "planner.temperature", standard: 0, min: 0, max: 2, step: 0.1 },
   { name: "detector", label: "Objects in the cameras' pictures are told by", field: "perception.detector", standard: "segmentation", options: [["segmentation", "the simulator"], ["vision", "a vision model"]] },

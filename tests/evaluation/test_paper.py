@@ -41,7 +41,7 @@ TASK = {
 @pytest.fixture
 def data(tmp_path):
     """A folder laid out like the paper's data, with one small task in each home."""
-    for place, part in PARTS.items():
+    for place, part in PARTS["test"].items():
         (tmp_path / f"env{place}.json").write_text(json.dumps(HOME))
         (tmp_path / part).write_text(json.dumps([TASK]))
     return tmp_path
@@ -83,6 +83,21 @@ def test_the_printed_figures_agree_with_one_another():
     assert sum(places) / 3 == pytest.approx(PLACES["average"][0].mean, abs=0.01)
     assert str(Printed(0.4, 0.11)) == ".40 ± .11"
     assert str(Printed(1)) == "1"
+
+
+def test_the_tasks_to_train_on_are_a_suite_of_their_own(data):
+    [file] = PARTS["train"].values()
+    (data / file).write_text(json.dumps([TASK, TASK]))
+    suite = read_household(data, "train")
+    assert (suite.name, len(suite.tasks)) == ("paper-household-train", 1)
+
+
+def test_the_papers_own_rows_know_no_affordances_and_ours_do(data):
+    rows = methods(Plan(household=read_household(data)))
+    assert [row.name for row in rows if row.options.affordances] == [
+        *("ProgPrompt, affordances", "ProgPrompt, repair and replanning"),
+        *("activities, unconstrained", "activities, no repair", "best of ours"),
+    ]
 
 
 def test_the_first_row_is_run_first_and_the_sweep_last(data):

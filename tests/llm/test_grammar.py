@@ -257,6 +257,28 @@ def test_only_what_affords_an_action_is_offered_for_it():
     assert "switchon" not in text
 
 
+def test_affordances_can_be_left_out_as_in_the_paper():
+    told = {"fridge": "can_open", "apple": "grabbable"}
+    objects = tuple(
+        SceneObject(name=name, properties=(("affordances", words),)) for name, words in told.items()
+    )
+    opening = ActionSignature(
+        name="open", parameters=(Parameter(name="obj", affordance="can_open"),), meaning=""
+    )
+    bound, plain = (
+        program_grammar(
+            Scene(world="home", objects=objects),
+            (opening,),
+            comments=False,
+            feedback=False,
+            affordances=affordances,
+        )
+        for affordances in (True, False)
+    )
+    assert not allows(bound, "open('apple')")
+    assert allows(plain, "open('apple')")
+
+
 def test_where_no_object_tells_of_its_affordances_all_are_offered():
     home = scene("fridge", "apple")
     action = ActionSignature(

@@ -2,12 +2,16 @@ from dataclasses import replace
 
 import pytest
 
+from app.domain.condition import decide
 from app.domain.errors import Cancelled, CompletionFailed, TaskDeclined
+from app.domain.goal import Goal
 from app.domain.instruction import Instruction
-from app.domain.planner import PlannerOptions
+from app.domain.planner import PlannerOptions, Task
 from app.domain.scene import Scene
+from app.domain.trace import ActionFailed, CallSkipped
 from app.planners import planners
-from app.rollout import plan_task
+from app.programs.conditions import parse_condition
+from app.rollout import carry_out, collect, offered, plan_task
 from app.worlds import worlds
 
 HOUSEHOLD = worlds["household"]
@@ -95,3 +99,41 @@ def test_whoever_asks_for_it_stops_it(at_home, canned):
 def test_a_world_without_activities_is_declined(task, canned):
     with pytest.raises(TaskDeclined, match="no activities"):
         PLANNER.write_program(task(name="activities"), canned(""), lambda _: False)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "sketch", "environment", "goal"),
+    [
+        ("put the apple in the fridge", "put('apple', 'fridge')", "env0", ["in(apple, fridge)", "closed(fridge)"]),
+        ("throw the orange away", "throw_away('orange')", "env1", ["in(orange, garbagecan)"]),
+        ("bring me the remote", "bring_me('remote')", "env0", ["held(remotecontrol)"]),
+        ("wash the mug", "wash('mug')", "env0", ["in(mug, sink)", "washed(mug)", "in(dishsoap, sink)"]),
+        ("heat the soup", "heat('soup')", "env1", ["heated(soup)", "held(soup)"]),
+        ("put all the cutlery in the sink", "put(all('cutlery'), 'sink')", "env0", ["in(fork, sink)", "in(knife, sink)", "in(spoon, sink)"]),
+        ("eat the cookies on the couch", "eat_on('cookies', 'couch')", "env1", ["on(character, sofa)"]),
+        ("refrigerate the salmon", "refrigerate('salmon')", "env0", ["in(salmon, fridge)"]),
+    ],
+)  # fmt: skip
+def test_what_is_asked_for_is_so_in_the_end(sentence, sketch, environment, goal, canned):
+    home = worlds["household"]
+    scene = home.complete(Scene(world="household", environment=environment), 0)
+    world = home.open_perfect(scene, 0)
+    task = Task(
+        scene=scene,
+        actions=offered(home, scene),
+        instruction=Instruction(sentence),
+        options=PlannerOptions(name="activities", feedback=True),
+        facts=world.facts(),
+    )
+    planned = plan_task(
+        task,
+        planners["activities"],
+        canned(f"    {sketch}\n\n"),
+        lambda: home.open_perfect(scene, 0),
+        lambda _: False,
+    )
+    events = []
+    carry_out(planned.plan, Goal(()), world, collect(events))
+    assert not [each for each in events if isinstance(each, ActionFailed | CallSkipped)]
+    unmet = [each for each in goal if not decide(parse_condition(each), world.holds)]
+    assert unmet == [], planned.text

@@ -49,6 +49,11 @@ class PlannerGiven(Given):
     constrained: bool = Field(
         default=True, description="Decode under a grammar of the scene's own actions and objects."
     )
+    affordances: bool = Field(
+        default=True,
+        description="The grammar also binds objects to what can be done with them; the paper's "
+        "prompt alone does without.",
+    )
     temperature: float = Field(
         default=0.0, ge=0, le=2, description="Of the sampling; 0 takes the best."
     )
