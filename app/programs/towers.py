@@ -62,7 +62,7 @@ def _known(text: str, spoken: dict[str, str]) -> str:
 
 
 def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
-    """ "The saucer on the plate, the cup on the saucer": the pairs as they are told."""
+    """The pairs as they are told: "the saucer on the plate, the cup on the saucer"."""
     text = " ".join(sentence.lower().split())
     pairs: list[Pair] = []
     for one, other in itertools.pairwise(found):
@@ -78,7 +78,7 @@ def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
 
 def _lowest_first(pairs: list[Pair]) -> list[Pair] | None:
     """One chain from below; None where they are no chain."""
-    below = {thing: place for thing, place in pairs}
+    below = dict(pairs)
     bases = [place for _, place in pairs if place not in below]
     if len(bases) != 1:
         return None
@@ -93,7 +93,7 @@ def _lowest_first(pairs: list[Pair]) -> list[Pair] | None:
 
 
 def _by_place(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
-    """ "Red at the bottom, then blue, green on top": a list, and words for its ends."""
+    """A list, and words for its ends: "red at the bottom, then blue, green on top"."""
     text = " ".join(sentence.lower().split())
     base = next((m for m in found if _ON.search(text[: m.start]) and _is_place(m, text)), None)
     pieces = list(dict.fromkeys(m.name for m in found if m is not base))

@@ -51,7 +51,7 @@ def built(name: str, extreme: str = "largest", *, opened: bool = False):
     add_object(spec, "object/0", item, visuals=True)
     model = spec.compile()
     body = located(model, "object/0", item, shut=not opened)
-    return item, BuiltScene(model=model, bodies={name: body}, arm=arms[DEFAULT_ARM])
+    return item, BuiltScene(model=model, bodies={name: body}, arm=arms[DEFAULT_ARM], beads={})
 
 
 def started(name: str, extreme: str, *, opened: bool = False):

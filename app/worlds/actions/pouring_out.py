@@ -21,9 +21,7 @@ EMPTYING = 1.0
 class PouringOut(Taking):
     """Empties one vessel into another. ``run`` carries it out."""
 
-    def __init__(
-        self, cell: Workcell, rng: np.random.Generator, item: str, target: str
-    ) -> None:
+    def __init__(self, cell: Workcell, rng: np.random.Generator, item: str, target: str) -> None:
         super().__init__(cell, rng, item)
         self._target = target
 
