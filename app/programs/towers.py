@@ -115,7 +115,7 @@ def _by_place(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
 
 def _is_place(mention: Mention, text: str) -> bool:
     """Whether it is where the whole is built: "on the tray" before the list or after it."""
-    return not re.match(r"[^,;.]*\b(?:lowest|highest|bottom)\b", text[mention.end :])
+    return not re.match(r"[^,;.:]*\b(?:lowest|highest|bottom)\b", text[mention.end :])
 
 
 def _ordered(text: str, found: Sequence[Mention], pieces: list[str]) -> list[str] | None:

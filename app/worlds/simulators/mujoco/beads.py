@@ -31,7 +31,7 @@ def add_beads(spec: mujoco.MjSpec, body_name: str, item: SceneObject, opening: O
         x, y = np.sqrt(2) * APART * np.array([np.cos(angle), np.sin(angle)])
         z = opening.floor + 1.3 * RADIUS + 2.1 * RADIUS * layer
         bead = spec.worldbody.add_body(
-            name=f"{body_name}/bead/{index}", pos=np.array(item.position) + (x, y, z)
+            name=f"{body_name}/bead/{index}", pos=np.add(item.position, (x, y, z))
         )
         bead.add_freejoint()
         bead.add_geom(

@@ -1,0 +1,48 @@
+import pytest
+
+from app.domain.scene import SceneObject
+from app.programs.sketch_things import read_things
+from app.programs.towers import tower
+
+CUBES = ("red cube", "green cube", "blue cube", "box")
+
+
+def told(sentence, *names):
+    return tower(sentence, read_things(SceneObject(name=name) for name in names))
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "Stack them: red at the bottom, then green, with blue on top.",
+        "from top to bottom the pile should read blue cube, green cube, red cube",
+        "a tower from the bottom up: red, green, blue",
+        "build a tower: blue on top, green, and red at the bottom",
+        "stack the green cube on the red cube and then the blue cube on the green cube",
+        "red cube lowest, blue cube highest, the green cube between them: such a tower, please",
+        "the blue cube must lie on the green cube, which itself must lie on the red cube",
+    ],
+)
+def test_the_words_tell_what_stands_on_what(sentence):
+    assert told(sentence, *CUBES) == [("green cube", "red cube"), ("blue cube", "green cube")]
+
+
+def test_a_tower_may_stand_on_something():
+    pairs = told(
+        "on the tray build a tower: red at the bottom, then green, then blue on top", *CUBES, "tray"
+    )
+    assert pairs == [("red cube", "tray"), ("green cube", "red cube"), ("blue cube", "green cube")]
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "put the red cube, the green cube and the blue cube in the box",
+        "stack the red cube on the blue cube",
+        "stack the cubes",
+        "put the red cube on top of the green cube, then the blue cube on top",
+        "the red cube on the box and the green cube on the box",
+    ],
+)
+def test_where_the_words_do_not_tell_it_plainly_nothing_is_said(sentence):
+    assert told(sentence, *CUBES) is None
