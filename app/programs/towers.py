@@ -96,6 +96,8 @@ def _by_place(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
     """A list, and words for its ends: "red at the bottom, then blue, green on top"."""
     text = " ".join(sentence.lower().split())
     base = next((m for m in found if _ON.search(text[: m.start]) and _is_place(m, text)), None)
+    listed = text.find(":", next((m.start() for m in _PILING.finditer(text)), 0))
+    found = [m for m in found if m is base or m.start > listed]
     pieces = list(dict.fromkeys(m.name for m in found if m is not base))
     if len(pieces) < FEWEST or (base and base.name in pieces):
         return None
