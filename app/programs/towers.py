@@ -85,7 +85,8 @@ def _lowest_first(pairs: list[Pair]) -> list[Pair] | None:
     above = {place: thing for thing, place in pairs}
     if len(above) != len(pairs):
         return None
-    ordered, place = [], bases[0]
+    place = bases[0]
+    ordered: list[Pair] = []
     while place in above:
         ordered.append((above[place], place))
         place = above[place]
