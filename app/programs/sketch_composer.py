@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from app.domain.action import ActionSignature, Parameter
 from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import ActionCall, Argument, Comment, Statement
-from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import (
@@ -22,13 +21,14 @@ from app.programs.sketch import (
     SketchCall,
 )
 from app.programs.sketch_order import in_order
-from app.programs.sketch_phrase import describe_phrase, spoken_of
-from app.programs.sketch_qualities import far_larger, ordered
-from app.programs.sketch_selection import Selection, is_container
+from app.programs.sketch_phrase import describe_phrase
+from app.programs.sketch_qualities import ordered
+from app.programs.sketch_refusals import into_itself, refuse_beside, refuse_harm
+from app.programs.sketch_selection import Selection
 from app.programs.sketch_sets import COLLECTIVE, counted, halved, is_plural, means_all, movable
 from app.programs.sketch_sharing import sharing
 from app.programs.sketch_things import Thing, listed
-from app.programs.sketch_verbs import DIRECTIONS, LITERAL, PERSONS, SPOKEN, place_of, righted
+from app.programs.sketch_verbs import DIRECTIONS, PERSONS, SPOKEN, place_of, righted
 from app.programs.towers import tower
 
 
@@ -78,7 +78,7 @@ class Composer:
             body = still
         for each in body:
             if isinstance(each, ActionCall):
-                self._refuse_hazard(each)
+                refuse_harm(each, self._signatures[each.action], self._selection)
         return Composition(tuple(body), round(self._sureness, 3))
 
     def _piled_up(self, calls: list[SketchCall]) -> list[SketchCall]:
@@ -98,38 +98,6 @@ class Composer:
     def _puts(self, call: SketchCall) -> bool:
         signature = self._signatures.get(call.action)
         return signature is not None and len(signature.parameters) == 2
-
-    def _refuse_hazard(self, call: ActionCall) -> None:
-        """Raise ``TaskDeclined`` where the call can hurt somebody."""
-        place = place_of(self._signatures[call.action], ())
-        names = [each for each in call.arguments if isinstance(each, str)]
-        if call.action == HANDOVER and (rule := hazard(names[0], "person")):
-            raise TaskDeclined(
-                f"{names[0]} handed to a person: {rule.reason}",
-                kind="hazardous",
-                question=f"Where on the table should the {names[0]} go instead?",
-            )
-        if place is None or len(names) != 2 or place > 1:
-            return
-        thing, target = names[1 - place], names[place]
-        if call.action not in LITERAL:
-            self._refuse_misfit(thing, target)
-        if rule := hazard(thing, target):
-            raise TaskDeclined(
-                f"{thing} in, on or at {target}: {rule.reason}",
-                kind="hazardous",
-                question=f"Where else should the {thing} go?",
-            )
-
-    def _refuse_misfit(self, name: str, place: str) -> None:
-        """Raise ``TaskDeclined`` where one container goes into a far smaller one."""
-        by_name = {thing.name: thing for thing in self._selection.things}
-        thing, target = by_name.get(name), by_name.get(place)
-        said = set(words(self._selection.sentence))
-        if thing is None or target is None or not said & {"in", "into", "inside"}:
-            return
-        if is_container(thing) and is_container(target) and far_larger(thing, target):
-            raise TaskDeclined(f"the {name} does not fit into the {place}", kind="impossible")
 
     def _name(self, calls: Sequence[SketchCall]) -> None:
         """Note what the sketch names, so that the rest is known."""
@@ -157,7 +125,7 @@ class Composer:
         if len(call.arguments) != len(signature.parameters):
             message = f"{call.action} takes {len(signature.parameters)} arguments"
             raise ProgramRefused(Fault(field="program", message=message))
-        _refuse_beside(call, self._selection.sentence)
+        refuse_beside(call, self._selection.sentence)
         call = righted(call, signature, self._selection.sentence)
         call = in_order(call, signature, self._selection.sentence)
         several = [i for i, each in enumerate(call.arguments) if self._several(each)]
@@ -218,7 +186,7 @@ class Composer:
         if argument.quantity == "all" and argument.count == 1:
             return self._any_one(argument, without, parameter.affordance)
         if not self._selection.possible(argument, without) and self._selection.possible(argument):
-            raise _into_itself(argument.text)
+            raise into_itself(argument.text)
         if (is_plural(argument) or self._collective(argument) or self._elliptic(argument)) and (
             not holds
         ):
@@ -463,10 +431,6 @@ def _named(name: str) -> Phrase:
     return Phrase(text=name)
 
 
-def _into_itself(text: str) -> TaskDeclined:
-    return TaskDeclined(f"the {text} cannot be put into itself", kind="impossible")
-
-
 def _for_each(spread: Each, phrase: Phrase, targets: int) -> tuple[Each, Phrase]:
     """``all('candy', count=1)`` for ``each('cup')`` counts for each of the cups."""
     if targets and phrase.count is not None and phrase.count < targets * spread.count:
@@ -482,22 +446,6 @@ def _spread(argument: SketchArgument) -> bool:
     return isinstance(argument, Same | Each | Previous)
 
 
-def _refuse_beside(call: SketchCall, sentence: str) -> None:
-    """Raise ``TaskDeclined`` where "next to the cup" became "into the cup" for want of a verb."""
-    phrases = [each for each in call.arguments if isinstance(each, Phrase)]
-    texts = {each.text for each in phrases}
-    for phrase in phrases:
-        for key, other in spoken_of(phrase, sentence).relations:
-            if other in texts - {phrase.text} and key in BESIDE and key not in call.action:
-                raise TaskDeclined(
-                    f"{call.action} puts things in or on {other}, not {key.replace('_', ' ')} it",
-                    kind="impossible",
-                )
-
-
 PILING = word_list("piling")
 TOP = frozenset(("very", "top", "of", "it", "all", "pile", "stack", "tower", "that", "the"))
 """Words of a place that is on top of what was put there last."""
-BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
-HANDOVER = "handover"
-"""The verb that brings a thing to a person, whether or not one is named."""

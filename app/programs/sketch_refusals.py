@@ -1,0 +1,75 @@
+"""What a sketch asks for and is not done: what can hurt somebody, what does not fit, what no verb does."""
+
+from app.domain.action import ActionSignature
+from app.domain.errors import TaskDeclined
+from app.domain.program import ActionCall
+from app.programs.knowledge.hazards import hazard
+from app.programs.knowledge.names import words
+from app.programs.sketch import Phrase, SketchCall
+from app.programs.sketch_phrase import spoken_of
+from app.programs.sketch_qualities import far_larger
+from app.programs.sketch_selection import Selection, is_container
+from app.programs.sketch_verbs import LITERAL, place_of
+
+BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
+HANDOVER = "handover"
+"""The verb that brings a thing to a person, whether or not one is named."""
+
+
+def refuse_harm(call: ActionCall, signature: ActionSignature, selection: Selection) -> None:
+    """Let a call pass that hurts nobody and fits.
+
+    Raises:
+        TaskDeclined: it can hurt somebody, or one container goes into a far smaller one.
+    """
+    names = [each for each in call.arguments if isinstance(each, str)]
+    if call.action == HANDOVER and (rule := hazard(names[0], "person")):
+        raise TaskDeclined(
+            f"{names[0]} handed to a person: {rule.reason}",
+            kind="hazardous",
+            question=f"Where on the table should the {names[0]} go instead?",
+        )
+    place = place_of(signature, ())
+    if place is None or len(names) != 2 or place > 1:
+        return
+    thing, target = names[1 - place], names[place]
+    if call.action not in LITERAL:
+        _refuse_misfit(thing, target, selection)
+    if rule := hazard(thing, target):
+        raise TaskDeclined(
+            f"{thing} in, on or at {target}: {rule.reason}",
+            kind="hazardous",
+            question=f"Where else should the {thing} go?",
+        )
+
+
+def _refuse_misfit(name: str, place: str, selection: Selection) -> None:
+    by_name = {thing.name: thing for thing in selection.things}
+    thing, target = by_name.get(name), by_name.get(place)
+    said = set(words(selection.sentence))
+    if thing is None or target is None or not said & {"in", "into", "inside"}:
+        return
+    if is_container(thing) and is_container(target) and far_larger(thing, target):
+        raise TaskDeclined(f"the {name} does not fit into the {place}", kind="impossible")
+
+
+def refuse_beside(call: SketchCall, sentence: str) -> None:
+    """Let a call pass that puts things where the sentence says.
+
+    Raises:
+        TaskDeclined: "next to the cup" became "into the cup" for want of a verb.
+    """
+    phrases = [each for each in call.arguments if isinstance(each, Phrase)]
+    texts = {each.text for each in phrases}
+    for phrase in phrases:
+        for key, other in spoken_of(phrase, sentence).relations:
+            if other in texts - {phrase.text} and key in BESIDE and key not in call.action:
+                raise TaskDeclined(
+                    f"{call.action} puts things in or on {other}, not {key.replace('_', ' ')} it",
+                    kind="impossible",
+                )
+
+
+def into_itself(text: str) -> TaskDeclined:
+    """Nothing goes into itself."""
+    return TaskDeclined(f"the {text} cannot be put into itself", kind="impossible")
