@@ -1,5 +1,7 @@
 """A worker process, put together; it knows nothing of HTTP or of views, and so starts fast."""
 
+from functools import partial
+
 from app.domain.planner import Preambled
 from app.domain.scene import Scene
 from app.main.models import llm_config
@@ -27,11 +29,11 @@ def create_worker(settings: Settings, queue: Queue, worker_id: str) -> WorkerPro
     models = Models(llm_config(settings), settings.model)
     if queue == "planning":
         desk = SharedDesk(Planning(database, handover, models), Evaluating(database, jobs, models))
-        model, preamble = _expected(settings)
+        model, preambles = _expected(settings)
         prepare = [
             _load_worlds,
-            lambda: models.load(model),
-            lambda: models.warm(model, preamble),
+            partial(models.load, model),
+            *(partial(models.warm, model, preamble) for preamble in preambles),
         ]
     else:
         desk = Simulation(database, handover, models)
@@ -39,13 +41,17 @@ def create_worker(settings: Settings, queue: Queue, worker_id: str) -> WorkerPro
     return WorkerProcess(database, queue, worker_id, desk=desk, prepare=prepare)
 
 
-def _expected(settings: Settings) -> tuple[str, str]:
-    """The model that most plans will want, and what their prompts will begin with."""
-    world = worlds["tabletop"]
-    planner = planners[world.planner if settings.model == "default" else "progprompt"]
-    actions = offered(world, Scene(world=world.name))
-    preamble = planner.preamble(world.name, actions) if isinstance(planner, Preambled) else ""
-    return planner.model, preamble
+def _expected(settings: Settings) -> tuple[str, list[str]]:
+    """The model that most plans will want, and what its prompts will begin with in each world."""
+    expected = "progprompt" if settings.model != "default" else worlds["tabletop"].planner
+    model = planners[expected].model
+    preambles: list[str] = []
+    for world in worlds.values():
+        planner = planners[world.planner if settings.model == "default" else expected]
+        if planner.model == model and isinstance(planner, Preambled):
+            actions = offered(world, Scene(world=world.name))
+            preambles.append(planner.preamble(world.name, actions))
+    return model, preambles
 
 
 def _load_worlds() -> str:
