@@ -24,13 +24,6 @@ from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.names import words
 from app.programs.parser import parse_program
 
-
-def _is(name: str, other: str) -> bool:
-    """Whether the thing is the other one, or of its class."""
-    kind = classes().find(other)
-    return name == other or bool(kind and belonging(apart(name), kind) >= CLEARLY)
-
-
 CLEARLY = 0.7
 """How surely a thing belongs to a class that an activity is not for."""
 AFFORDED: Mapping[str, str] = {
@@ -45,6 +38,15 @@ AFFORDED: Mapping[str, str] = {
 """What a call takes its last thing to afford."""
 DROPPED = ("open", "close", "switchon", "switchoff", "sit")
 """Calls that are left out where the thing does not afford them."""
+RUN = ("machine", "computer")
+"""Names of parameters for what is switched on."""
+STATES: Mapping[str, str] = {
+    "open": "open",
+    "close": "closed",
+    "switchon": "switched_on",
+    "switchoff": "switched_off",
+}
+"""What a call brings about: with feedback it is asserted, and the call is the recovery."""
 _HEAD = re.compile(r"^def (\w+)\((.*)\):$", re.M)
 _MENTIONED = re.compile(r"\{(\w+)\}")
 
@@ -231,12 +233,7 @@ class Home:
         return "putin" if inside and affords & {"containers", "can_open"} else "putback"
 
 
-RUN = ("machine", "computer")
-"""Names of parameters for what is switched on."""
-STATES: Mapping[str, str] = {
-    "open": "open",
-    "close": "closed",
-    "switchon": "switched_on",
-    "switchoff": "switched_off",
-}
-"""What a call brings about: with feedback it is asserted, and the call is the recovery."""
+def _is(name: str, other: str) -> bool:
+    """Whether the thing is the other one, or of its class."""
+    kind = classes().find(other)
+    return name == other or bool(kind and belonging(apart(name), kind) >= CLEARLY)

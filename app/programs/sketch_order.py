@@ -7,8 +7,8 @@ from app.domain.action import ActionSignature
 from app.programs.knowledge.names import stem, words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import Phrase, SketchCall
+from app.programs.sketch_verbs import PLACES
 
-PLACES = word_list("places")
 TOOLS = word_list("tools")
 """Names of parameters for what something is done with."""
 _PLACING = "into|onto|over|in|on|to|at|against|through|around|towards|toward|inside|across"

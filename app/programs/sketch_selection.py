@@ -43,11 +43,12 @@ told by its name and by what it is for."""
 ALIKE, ALIKE_MARGIN = 0.45, 0.05
 """Likeness of meaning, a cosine, from which words are taken to mean a thing."""
 PLAINLY, USE_MARGIN = 0.6, 0.06
+"""From which likeness on a clause tells plainly what is meant, before any class is asked; of
+several things that are meant, how far one may stay behind the likeliest."""
 _WHATEVER = frozenset(("whatever", "everything", "anything", "all", "things"))
-"""From which likeness on a clause tells plainly what is meant, before any class is asked."""
 _CLAUSE_WORDS = frozenset(("for", "to", "that", "which", "you", "i", "we", "with", "made", "used"))
 _SAID_OF_ALL = frozenset(
-    (
+    [
         "that",
         "which",
         "one",
@@ -65,8 +66,9 @@ _SAID_OF_ALL = frozenset(
         "that'll",
         "you'd",
         "i'd",
-    )
+    ]
 )
+"""Words of a clause that tell one thing from another as little as "thing" does."""
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (
     r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
@@ -274,11 +276,14 @@ class Selection:
         if not is_clause(described):
             return []
         scores = self._likenesses(described, without)
-        best = max(scores, default=(0.0, None), key=lambda pair: pair[0])[0]
-        several = phrase.quantity == "all" or _WHATEVER & set(words(self.sentence))
-        if several and best in {s for s, t in scores if t in self._classed(described, without)}:
+        best = max((likely for likely, _ in scores), default=0.0)
+        if best < PLAINLY:
             return []
-        least = max(PLAINLY if best >= PLAINLY else 1.0, best - (USE_MARGIN if several else 0.0))
+        several = phrase.quantity == "all" or _WHATEVER & set(words(self.sentence))
+        likeliest = [thing for likely, thing in scores if likely == best]
+        if several and likeliest[0] in self._classed(described, without):
+            return []
+        least = max(PLAINLY, best - USE_MARGIN) if several else best
         return [(thing, KIND) for likely, thing in scores if likely >= least]
 
     def _classed(self, described: Description, without: Collection[str]) -> list[Thing]:
@@ -291,8 +296,9 @@ class Selection:
         if not described.core or not (open_ or is_clause(described)):
             return []
         scores = self._likenesses(described, without)
-        best = max(scores, default=(0.0, None), key=lambda pair: pair[0])[0]
-        return [(t, COUNTS) for s, t in scores if t and s >= ALIKE and s >= best - ALIKE_MARGIN]
+        best = max((likely for likely, _ in scores), default=0.0)
+        least = max(ALIKE, best - ALIKE_MARGIN)
+        return [(thing, COUNTS) for likely, thing in scores if likely >= least]
 
     def _likenesses(
         self, described: Description, without: Collection[str]

@@ -53,10 +53,9 @@ def chain(actor: Actor) -> tuple[str, list[Step], bool]:
 
 
 def _several(template: str, verb: Spoken, x: Said, y: Said) -> list[Step]:
-    late = template in ("{v1} {y} after {x}",)
-    shown = template.find("{y}") < template.find("{x}") and not late
-    order = (y, x) if shown else (x, y)
-    return [step for said in order for step in _steps(verb, said)]
+    """In the order they are done in: "after" names the later thing first."""
+    turned = template.find("{y}") < template.find("{x}") and "after" not in template
+    return [step for said in ((y, x) if turned else (x, y)) for step in _steps(verb, said)]
 
 
 def _given(actor: Actor) -> tuple[str, list[Step], bool]:
@@ -71,16 +70,10 @@ def _given(actor: Actor) -> tuple[str, list[Step], bool]:
     if not actor.robot.add(concept, f"{name}({', '.join(pairs[::-1] if swapped else pairs)})"):
         return actor.plain()
     template = actor.words.say("verbs", "chains", "given")
-    it = x.form("it")
-    between = f"{stem} {it} {preposition}"
-    if (
-        template.startswith("{p} {y}")
-        or " before you {p}" in template
-        or "you {p} {y}," in template
-    ):
-        between = f"{stem} {x.text if template.startswith('{p}') else it} {preposition}"
-        if template.startswith("{p}"):
-            template = template.replace("{x}", "{x.it}")
+    told_first = template.startswith("{p}")
+    if told_first:
+        template = template.replace("{x}", "{x.it}")
+    between = f"{stem} {x.text if told_first else x.form('it')} {preposition}"
     text = first.bent(template.replace("{p}", between), "1")
     steps = [*_steps(first, x), Step(concept, {"x": x.arguments[0], "y": y.arguments[0]})]
     return fill(text, {"x": x, "y": y}), steps, text.startswith(first.stem)

@@ -1,5 +1,6 @@
 """A use or a look of a thing → the words of somebody who has no name for it."""
 
+import re
 from random import Random
 
 _DOES = (
@@ -62,5 +63,5 @@ def _present(verb: str) -> str:
     """``cut`` → ``cutting``."""
     if verb.endswith("e") and not verb.endswith(("ee", "be")):
         return f"{verb[:-1]}ing"
-    short = len(verb) <= 4 and verb[-1] in "bdgmnpt" and verb[-2] in "aeiou"
-    return f"{verb}{verb[-1]}ing" if short and verb[-3:-2] not in "aeiou" else f"{verb}ing"
+    short = re.fullmatch(r"[^aeiou]*[aeiou][bdgmnpt]", verb)
+    return f"{verb}{verb[-1]}ing" if short else f"{verb}ing"
