@@ -101,6 +101,7 @@ def _suite_command(name: str) -> click.Command:
     @click.option("--out", type=Folder, default=Path("evaluation"), show_default=True)
     @click.option("--seed", default=0, show_default=True, type=click.IntRange(0))
     @click.option("--examples", type=click.IntRange(0, 50), help="Programs shown in the prompt.")
+    @click.option("--cue/--no-cue", default=None, help="Functions named after instructions.")
     @click.option("--comments/--no-comments", default=None)
     @click.option("--feedback/--no-feedback", default=None, help="Assertions with recoveries.")
     @click.option("--constrained/--unconstrained", default=None, help="Decode under a grammar.")

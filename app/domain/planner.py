@@ -19,6 +19,8 @@ class PlannerOptions:
 
     name: str = "progprompt"
     model: str = "default"
+    cue: bool = True
+    """The function is named after the instruction, which cues the model; else a docstring tells it."""
     comments: bool = True
     feedback: bool = False
     """Assertions with recoveries in the example programs; the paper's robot runs without."""

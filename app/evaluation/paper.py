@@ -72,6 +72,7 @@ def methods(plan: Plan) -> tuple[Cell, ...]:
         for model in plan.models[1:]
     ]
     rows += [
+        Cell(name=f"{FULL}, functions without names", options=replace(base, cue=False)),
         Cell(name=f"{FULL}, unconstrained", options=replace(base, constrained=False)),
         Cell(name=f"{FULL}, affordances", options=replace(base, affordances=True)),
         Cell(name=f"{FULL}, similar examples", options=replace(base, choice="similar")),

@@ -16,13 +16,15 @@ from app.domain.instruction import Instruction
 from app.domain.planner import PlannerOptions, Task, Turn
 from app.domain.program import Comment, Described, Program, literal
 from app.programs.description import describe_scene
-from app.programs.examples import Ranking, ablate, choose_examples, named_objects
+from app.programs.examples import Ranking, ablate, choose_examples, named_objects, task_of
 from app.programs.objects import objects_line
 from app.programs.parser import parse_program
 from app.programs.printer import INDENT, import_line, print_program
 
 GLOBAL = frozenset({"household"})
 """Worlds whose prompts list the objects once, above the functions, as in the paper."""
+NAMELESS = "task"
+"""What all functions are called where their names are to cue nothing."""
 MAX_REMARK = 600
 """Characters of a comment that tells what came of a plan."""
 
@@ -48,9 +50,10 @@ def write_preamble(world: str, actions: Sequence[ActionSignature], options: Plan
 
 def write_cue(task: Task) -> str:
     """The head of the function that is wanted, down to its list of objects."""
-    name = task.instruction.function_name
+    cue = task.options.cue
+    name = task.instruction.function_name if cue else NAMELESS
     lines = [f"def {f'finish_{name}' if task.failed else name}():"]
-    if not _tells_all(task.instruction):
+    if not (cue and _tells_all(task.instruction)):
         lines.append(f"{INDENT}{literal(task.instruction.text)}")
     if objects_form(task) != "global":
         lines.append(f"{INDENT}{_objects(task)}")
@@ -79,8 +82,17 @@ def _preamble(
         parts.append(f"{objects_line(_listed_first(examples, names))}\n")
     for each in examples:
         shown = ablate(each, comments=options.comments, feedback=options.feedback)
-        parts.append(print_program(_with_objects(shown, form)))
+        parts.append(_example(_with_objects(shown, form), cue=options.cue))
     return "\n".join((*parts, ""))
+
+
+def _example(program: Program, *, cue: bool) -> str:
+    """The text of an example, told by its name or by a docstring."""
+    if cue:
+        return print_program(program)
+    head = f"def {NAMELESS}():\n"
+    told = f"{head}{INDENT}{literal(task_of(program))}\n"
+    return print_program(replace(program, name=NAMELESS)).replace(head, told, 1)
 
 
 def _with_objects(program: Program, form: Form) -> Program:

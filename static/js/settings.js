@@ -7,6 +7,7 @@ import { recall, remember } from "./memory.js";
 const SWITCHES = [
   { name: "planner", label: "Planner", field: "planner.name", standard: "", options: [["", "the world's best"]] },
   { name: "model", label: "Model", field: "planner.model", standard: "default", options: [["default", "default"]] },
+  { name: "cue", label: "Functions named after their instructions", field: "planner.cue", standard: true },
   { name: "comments", label: "Comments in the examples", field: "planner.comments", standard: true },
   { name: "feedback", label: "Assertions with recoveries", field: "planner.feedback", standard: "", options: [["", "as the world has it"], ["yes", "yes"], ["no", "no"]] },
   { name: "objects", label: "Objects in the prompt", field: "planner.objects", standard: "", options: [["", "as the world has it"], ["local", "inside the function"], ["global", "before the examples"], ["properties", "with their properties"]] },
@@ -16,7 +17,7 @@ const SWITCHES = [
   { name: "max_replans", label: "Plan anew, at most", field: "planner.max_replans", standard: 0, min: 0, max: 5, step: 1 },
   { name: "constrained", label: "Only names of this scene (grammar)", field: "planner.constrained", standard: true },
   { name: "affordances", label: "Only what can be done with them (grammar)", field: "planner.affordances", standard: true },
-  { name: "repair", label: "Add steps that a precondition calls for", field: "planner.repair", standard: false },
+  { name: "repair", label: "Add steps that a precondition calls for", field: "planner.repair", standard: "", options: [["", "as the planner has it"], ["yes", "yes"], ["no", "no"]] },
   { name: "temperature", label: "Temperature", field: "planner.temperature", standard: 0, min: 0, max: 2, step: 0.1 },
   { name: "detector", label: "Objects in the cameras' pictures are told by", field: "perception.detector", standard: "segmentation", options: [["segmentation", "the simulator"], ["vision", "a vision model"]] },
   { name: "confusion", label: "Share of objects taken for another", field: "perception.confusion", standard: 0, min: 0, max: 1, step: 0.1 },
@@ -96,7 +97,7 @@ export class Settings {
     const value = this.values[one.name];
     if (String(value) === String(one.standard)) return undefined;
     if (one.name === "approval") return "manual";
-    if (one.name === "feedback") return value === "yes";
+    if (value === "yes" || value === "no") return value === "yes";
     if (typeof one.standard !== "number") return value;
     return value === "" || Number.isNaN(Number(value)) ? value : Number(value);
   }

@@ -52,6 +52,7 @@ def task(grab_and_putin):
         ("all_examples.txt", {"examples": 99}),
         ("global.txt", {"objects": "global", "examples": 2}),
         ("properties.txt", {"objects": "properties", "examples": 2}),
+        ("no_cue.txt", {"cue": False, "examples": 2}),
         ("random.txt", {"choice": "random", "seed": 5, "examples": 2}),
     ],
 )

@@ -25,6 +25,11 @@ class PlannerGiven(Given):
         description="A model of the catalogue; `default` is the service's or, where that names "
         "none, the one with which the planner does best.",
     )
+    cue: bool = Field(
+        default=True,
+        description="Functions are named after their instructions, the paper's cue; else they are "
+        "all called `task` and a docstring tells what each is to do.",
+    )
     comments: bool = Field(
         default=True, description="Comments for sub-tasks in the example programs."
     )
