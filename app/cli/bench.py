@@ -12,6 +12,7 @@ from rich.progress import Progress
 
 from app.cli.api_bench import api
 from app.cli.fuzz_bench import fuzz
+from app.cli.model_bench import model
 from app.cli.verb_benches import pairs, tower, verb
 from app.domain.perception import Perception
 from app.evaluation.pick import Episode, PickReport, bench_pick
@@ -25,7 +26,7 @@ from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 
 Source = Literal["cameras", "privileged"]
 command = click.Group("bench", help="Measure parts of the system on this machine.")
-for each in (verb, tower, pairs, fuzz, api):
+for each in (verb, tower, pairs, fuzz, api, model):
     command.add_command(each)
 
 
