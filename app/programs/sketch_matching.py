@@ -129,6 +129,8 @@ def _modified_fit(thing: Thing, core: tuple[str, ...]) -> float:
         head = _known_fit(thing, normal(" ".join(core[start:])))
         if head < COUNTS:
             continue
+        if len(core) == start + 1 == 2 and _rivals(thing, core[0]):
+            return 0.0
         shown = [_shows(thing, each) for each in core[:start] if not is_mark(each)]
         if any(is_mark(each) for each in core[:start]) and not shown:
             return 0.0
@@ -136,6 +138,14 @@ def _modified_fit(thing: Thing, core: tuple[str, ...]) -> float:
             return min(head, HEAD) - 0.02
         return min(head, WIDER) - 0.06 if head >= KIND else 0.0
     return 0.0
+
+
+def _rivals(thing: Thing, modifier: str) -> bool:
+    """Whether the name has another of the same kind in the modifier's place: dog food is no cat food."""
+    if len(thing.core) != 2 or is_mark(modifier):
+        return False
+    own, wanted = normal(thing.core[0]), normal(modifier)
+    return not mean_the_same(own, wanted) and classes().share(own, wanted)
 
 
 def _shows(thing: Thing, modifier: str) -> bool:

@@ -29,13 +29,19 @@ def in_order(call: SketchCall, signature: ActionSignature, sentence: str) -> Ske
     texts = [each.text for each in call.arguments if isinstance(each, Phrase)]
     if len(texts) != 2 or texts[0] == texts[1]:
         return call
-    for kind, links in ((PLACES, _PLACING), (TOOLS, "with|using")):
+    told = ((PLACES, _PLACING), (TOOLS, "with|using"))
+    for kind, links in told[: 1 if _puts(call.action) else 2]:
         behind = [_stands_behind(links, text, sentence) for text in texts]
         if behind[0] != behind[1]:
             named = [parameter.name in kind for parameter in signature.parameters]
             oblique = 0 if named[0] and not named[1] else 1
             return call if behind[oblique] else SketchCall(call.action, call.arguments[::-1])
     return call
+
+
+def _puts(action: str) -> bool:
+    """Whether it moves its first thing: what a bowl is filled "with" is no tool."""
+    return bool({"put", "putin", "place", "insert"} & set(words(action.replace("_", " "))))
 
 
 def _stands_behind(links: str, text: str, sentence: str) -> bool:

@@ -71,6 +71,8 @@ _MADE = r"(?:(?:that (?:is|are) )?made (?:of|from|out of)|of) (?:a |some )?({})(
 _PIECES = re.compile(
     r"^(?:the |an? )?(?:pieces?|items?|articles?|bits?|kinds?|types?|sorts?) of (?=\w)", re.I
 )
+_BETWEEN = re.compile(r"\b(?:(?:middle|mid|medium)[- ]sized?|in[- ]between)\b(?= \w)", re.I)
+"""Of medium size; "middle" alone is a place."""
 _NOT = r"(?:that|which|who) (?:(?:is|are|was|were) not|isn't|aren't|do not|don't) (?:an? |in |made of )?(.+)"
 _IS = r"(?:that|which|who) (?:is|are|'s) (?:an? |in )?(.+)"
 
@@ -137,7 +139,7 @@ def spoken_of(phrase: Phrase, sentence: str) -> Phrase:
 
 def read_description(text: str) -> Description:
     """Read plain words."""
-    rest = _coloured(_PIECES.sub("", " ".join(text.split())))
+    rest = _coloured(_PIECES.sub("", _BETWEEN.sub("medium", " ".join(text.split()))))
     read = Description(text=rest, core=())
     rest, read = _negated(rest, read)
     rest, read = _placed(rest, read)

@@ -1,5 +1,7 @@
 """What a sketch asks for and is not done: what can hurt somebody, what does not fit, what no verb does."""
 
+import re
+
 from app.domain.action import ActionSignature
 from app.domain.errors import TaskDeclined
 from app.domain.program import ActionCall
@@ -11,6 +13,11 @@ from app.programs.sketch_qualities import far_larger
 from app.programs.sketch_selection import Selection, is_container
 from app.programs.sketch_verbs import LITERAL, place_of
 
+_BESIDE_IT = re.compile(
+    r"\b(?:beside|alongside|next to|near|close to|by) (?:it|them|that|this|those|these)\b"
+    r"[^,.;]* (?:in|on|into|onto|inside)\b",
+    re.I,
+)
 BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
 HANDOVER = "handover"
 """The verb that brings a thing to a person, whether or not one is named."""
@@ -59,6 +66,8 @@ def refuse_beside(call: SketchCall, sentence: str) -> None:
     Raises:
         TaskDeclined: "next to the cup" became "into the cup" for want of a verb.
     """
+    if _BESIDE_IT.search(sentence):  # In the same place as what was put there before.
+        return
     phrases = [each for each in call.arguments if isinstance(each, Phrase)]
     texts = {each.text for each in phrases}
     for phrase in phrases:

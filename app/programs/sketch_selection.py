@@ -1,29 +1,27 @@
 """Words → objects: which of the scene's things a phrase means, or why none can be told."""
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import VAGUE, belonging, classes, normal
+from app.programs.knowledge.classes import belonging, classes, normal
 from app.programs.knowledge.languages import in_english
 from app.programs.knowledge.names import is_mark, plain, words
-from app.programs.knowledge.uses import uses
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import Phrase
 from app.programs.sketch_matching import (
     COUNTS,
     EXACT,
     HEAD,
-    KIND,
     SETS,
     SLIP,
     find_class,
     fit,
-    misspelt,
     slip,
 )
+from app.programs.sketch_meaning import Judge, Meaning
 from app.programs.sketch_phrase import Description, describe_phrase, spoken_of
 from app.programs.sketch_qualities import (
     AXES,
@@ -37,38 +35,6 @@ from app.programs.sketch_qualities import (
 )
 from app.programs.sketch_things import LIKELY, UNKNOWN, Thing, listed
 
-Judge = Callable[[str, Sequence[Sequence[str]]], Sequence[float]]
-"""For words that no knowledge at hand covers: how like each thing is to them, up to 1; a thing is
-told by its name and by what it is for."""
-ALIKE, ALIKE_MARGIN = 0.45, 0.05
-"""Likeness of meaning, a cosine, from which words are taken to mean a thing."""
-PLAINLY, USE_MARGIN = 0.6, 0.06
-"""From which likeness on a clause tells plainly what is meant, before any class is asked; of
-several things that are meant, how far one may stay behind the likeliest."""
-_WHATEVER = frozenset(("whatever", "everything", "anything", "all", "things"))
-_CLAUSE_WORDS = frozenset(("for", "to", "that", "which", "you", "i", "we", "with", "made", "used"))
-_SAID_OF_ALL = frozenset(
-    [
-        "that",
-        "which",
-        "one",
-        "something",
-        "will",
-        "can",
-        "could",
-        "would",
-        "me",
-        "my",
-        "it",
-        "i",
-        "you",
-        "we",
-        "that'll",
-        "you'd",
-        "i'd",
-    ]
-)
-"""Words of a clause that tell one thing from another as little as "thing" does."""
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (
     r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
@@ -98,7 +64,7 @@ class Selection:
         self.things = things
         self.facts = facts
         self.sentence = sentence
-        self._judge = judge
+        self._meaning = Meaning(things, sentence, judge)
         self.earlier = tuple(earlier)
         """Names of what the turn before moved."""
         self.spoken: set[str] = set()
@@ -219,7 +185,7 @@ class Selection:
             return found
         if described.other:
             without = {*without, *(self.spoken or self.earlier)}
-        if found := self._used_so(described, phrase, without):
+        if found := self._meaning.plainly(described, phrase, without):
             return self._qualified(described, found, phrase.quantity == "all")
         nouns = self._nouns(described, phrase, without)
         found = self._qualified(described, nouns, phrase.quantity == "all")
@@ -228,7 +194,7 @@ class Selection:
         if not found:
             found = self._qualified(described, self._slips(described, without), False)
         if not found and not nouns:
-            found = self._qualified(described, self._judged(described, without), False)
+            found = self._qualified(described, self._meaning.perhaps(described, without), False)
         return found
 
     def _nouns(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:
@@ -270,56 +236,6 @@ class Selection:
         ]
         best = max((score for _, score in scored), default=0.0)
         return [(t, SLIP + 0.1 * score) for t, score in scored if score and score >= best - 0.03]
-
-    def _used_so(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:
-        """The things a clause plainly tells of by their use: "the thing i dry my hair with"."""
-        if not is_clause(described):
-            return []
-        scores = self._likenesses(described, without)
-        best = max((likely for likely, _ in scores), default=0.0)
-        if best < PLAINLY:
-            return []
-        several = phrase.quantity == "all" or _WHATEVER & set(words(self.sentence))
-        likeliest = [thing for likely, thing in scores if likely == best]
-        if several and likeliest[0] in self._classed(described, without):
-            return []
-        least = max(PLAINLY, best - USE_MARGIN) if several else best
-        return [(thing, KIND) for likely, thing in scores if likely >= least]
-
-    def _classed(self, described: Description, without: Collection[str]) -> list[Thing]:
-        """The things of a class that the words describe: it is asked where it knows the likeliest."""
-        return [t for t in self.things if t.name not in without and fit(t, described) >= SETS]
-
-    def _judged(self, described: Description, without: Collection[str]) -> Fits:
-        """By likeness of meaning, for descriptions and for words that no knowledge covers."""
-        open_ = set(described.whole) & VAGUE or all(map(misspelt, described.core))
-        if not described.core or not (open_ or is_clause(described)):
-            return []
-        scores = self._likenesses(described, without)
-        best = max((likely for likely, _ in scores), default=0.0)
-        least = max(ALIKE, best - ALIKE_MARGIN)
-        return [(thing, COUNTS) for likely, thing in scores if likely >= least]
-
-    def _likenesses(
-        self, described: Description, without: Collection[str]
-    ) -> list[tuple[float, Thing]]:
-        """How like each thing is to what is said of it; what the words name besides is not meant."""
-        said = [normal(each) for each in words(described.text)]
-        free = [
-            thing
-            for thing in self.things
-            if thing.name not in without and thing.unmarked not in said[1:]
-        ]
-        if self._judge is None or not free:
-            return []
-        told = [(thing.name, *uses(thing.name)) for thing in free]
-        bare = " ".join(each for each in words(described.text) if each not in VAGUE | _SAID_OF_ALL)
-        scores = zip(
-            self._judge(described.text, told),
-            self._judge(bare or described.text, told),
-            strict=True,
-        )
-        return [(max(pair), thing) for pair, thing in zip(scores, free, strict=True)]
 
     def _qualified(self, described: Description, found: Fits, many: bool) -> Fits:
         """Those of the found ones that have what else the phrase asks for."""
@@ -383,13 +299,6 @@ class Selection:
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
         return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
-
-
-def is_clause(described: Description) -> bool:
-    """Whether the words tell what a thing is for, and do not name it."""
-    said = words(described.text)
-    told = described.materials or described.colours or described.relations
-    return len(said) > 2 and not told and bool(_CLAUSE_WORDS & set(said[1:]))
 
 
 def affording(found: Fits, affordance: str | None) -> Fits:

@@ -73,6 +73,17 @@ def halved(phrase: Phrase, sentence: str, found: int) -> Phrase:
     return replace(phrase, count=found // 2) if half and found > 1 else phrase
 
 
+def left_over(phrase: Phrase, sentence: str, found: int) -> Phrase:
+    """With all but so many as its number: "leave one egg and put the others in the basket"."""
+    match = _LEFT.search(sentence)
+    if not match or not words(phrase.text):
+        return phrase
+    left = _NUMBERS[match["number"].lower()]
+    spoken = {normal(each) for each in words(match["noun"])}
+    same = normal(words(phrase.text)[-1]) in spoken and phrase.count in (None, left)
+    return replace(phrase, count=found - left) if same and found > left else phrase
+
+
 def means_all(phrase: Phrase, sentence: str) -> bool:
     """Whether "what you can write with" stands behind a single thing one can write with."""
     said = set(words(sentence))
@@ -82,4 +93,10 @@ def means_all(phrase: Phrase, sentence: str) -> bool:
 
 
 _SPELT = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
-_NUMBERS = {**_SPELT, **{str(number): number for number in range(1, 10)}}
+_NUMBERS: dict[str, int] = {**_SPELT, **{str(number): number for number in range(1, 10)}}
+_LEFT = re.compile(
+    rf"\b(?:leave|leaving|keep|keeping|spare)\s+(?:just |only |out )?(?P<number>{'|'.join(_NUMBERS)})\s+"
+    r"(?:of (?:the|these|those|my|your)\s+)?(?P<noun>\w+(?: \w+)?)\b"
+    r".*\b(?:others?|rest|remaining|remainder)\b",
+    re.I,
+)

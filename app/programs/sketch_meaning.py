@@ -1,0 +1,115 @@
+"""What a thing is told by in other words than its name: its use, a wish, or the situation."""
+
+import re
+from collections.abc import Callable, Collection, Sequence
+
+from app.programs.knowledge.classes import VAGUE, normal
+from app.programs.knowledge.names import words
+from app.programs.knowledge.uses import uses
+from app.programs.knowledge.word_lists import word_list
+from app.programs.sketch import Phrase
+from app.programs.sketch_matching import COUNTS, KIND, SETS, fit, misspelt
+from app.programs.sketch_phrase import Description
+from app.programs.sketch_qualities import Fits
+from app.programs.sketch_things import Thing
+
+Judge = Callable[[str, Sequence[Sequence[str]]], Sequence[float]]
+"""For words that no knowledge at hand covers: how like each thing is to them, up to 1; a thing is
+told by its name and by what it is for."""
+ALIKE, ALIKE_MARGIN = 0.45, 0.05
+"""Likeness of meaning, a cosine, from which words are taken to mean a thing."""
+PLAINLY, USE_MARGIN = 0.6, 0.06
+"""From which likeness on a clause tells plainly what is meant, before any class is asked; of
+several things that are meant, how far one may stay behind the likeliest."""
+SITUATED, LEAD = 0.35, 0.1
+"""The likeness to a situation that is told beside, and how far the likeliest has to be ahead."""
+_WHATEVER = frozenset(("whatever", "everything", "anything", "all", "things"))
+_CLAUSE_WORDS = frozenset(("for", "to", "that", "which", "you", "i", "we", "with", "made", "used"))
+_SAID_OF_ALL = word_list("said of all")
+"""Words of a clause that tell one thing from another as little as "thing" does."""
+_NEEDING = word_list("needing")
+"""Verbs of a clause that leave it to the rest of the sentence what is needed."""
+
+
+class Meaning:
+    """Finds the things of a scene that are told by what they are for."""
+
+    def __init__(self, things: Sequence[Thing], sentence: str, judge: Judge | None) -> None:
+        self._things = things
+        self._sentence = sentence
+        self._judge = judge
+
+    def plainly(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:
+        """The things a clause plainly tells of by their use: "the thing i dry my hair with"."""
+        if not is_clause(described):
+            return []
+        scores = self._likenesses(described, without)
+        best = max((likely for likely, _ in scores), default=0.0)
+        if best < PLAINLY:
+            return []
+        several = phrase.quantity == "all" or _WHATEVER & set(words(self._sentence))
+        likeliest = [thing for likely, thing in scores if likely == best]
+        if several and likeliest[0] in self._classed(described, without):
+            return []
+        least = max(PLAINLY, best - USE_MARGIN) if several else best
+        return [(thing, KIND) for likely, thing in scores if likely >= least]
+
+    def perhaps(self, described: Description, without: Collection[str]) -> Fits:
+        """By likeness of meaning, for descriptions and for words that no knowledge covers."""
+        open_ = set(described.whole) & VAGUE or all(map(misspelt, described.core))
+        if not described.core or not (open_ or is_clause(described)):
+            return []
+        if found := self._called_for(described, without):
+            return found
+        scores = self._likenesses(described, without)
+        best = max((likely for likely, _ in scores), default=0.0)
+        least = max(ALIKE, best - ALIKE_MARGIN)
+        return [(thing, COUNTS) for likely, thing in scores if likely >= least]
+
+    def _called_for(self, described: Description, without: Collection[str]) -> Fits:
+        """What a situation calls for: "rain is forecast; pack what I will need"."""
+        said = words(described.text)
+        if self._judge is None or set(said) - VAGUE - _SAID_OF_ALL - _NEEDING:
+            return []
+        clauses = re.split(r"[;:.,!?\u2014]+", self._sentence)
+        beside = [each for each in clauses if not set(said[1:]) <= set(words(each))]
+        told = " ".join(" ".join(beside).split())
+        named = {normal(each) for each in words(self._sentence)}
+        free = [t for t in self._things if t.name not in without and t.unmarked not in named]
+        if not told or len(free) < 2:
+            return []
+        scores = self._judge(told, [(thing.name, *uses(thing.name)) for thing in free])
+        (second, _), (best, thing) = sorted(zip(scores, free, strict=True), key=lambda s: s[0])[-2:]
+        return [(thing, COUNTS)] if best >= max(SITUATED, second + LEAD) else []
+
+    def _classed(self, described: Description, without: Collection[str]) -> list[Thing]:
+        """The things of a class that the words describe: it is asked where it knows the likeliest."""
+        return [t for t in self._things if t.name not in without and fit(t, described) >= SETS]
+
+    def _likenesses(
+        self, described: Description, without: Collection[str]
+    ) -> list[tuple[float, Thing]]:
+        """How like each thing is to what is said of it; what the words name besides is not meant."""
+        said = [normal(each) for each in words(described.text)]
+        free = [
+            thing
+            for thing in self._things
+            if thing.name not in without and thing.unmarked not in said[1:]
+        ]
+        if self._judge is None or not free:
+            return []
+        told = [(thing.name, *uses(thing.name)) for thing in free]
+        bare = " ".join(each for each in words(described.text) if each not in VAGUE | _SAID_OF_ALL)
+        scores = zip(
+            self._judge(described.text, told),
+            self._judge(bare or described.text, told),
+            strict=True,
+        )
+        return [(max(pair), thing) for pair, thing in zip(scores, free, strict=True)]
+
+
+def is_clause(described: Description) -> bool:
+    """Whether the words tell what a thing is for, and do not name it."""
+    said = words(described.text)
+    told = described.materials or described.colours or described.relations
+    return len(said) > 2 and not told and bool(_CLAUSE_WORDS & set(said[1:]))

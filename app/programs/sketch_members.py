@@ -1,0 +1,100 @@
+"""An argument that stands for several objects → its members, and the places they are shared out among."""
+
+from app.domain.errors import Fault, ProgramRefused, TaskDeclined
+from app.domain.program import Argument
+from app.programs.knowledge.names import words
+from app.programs.sketch import Each, Phrase, Rest, Same, SketchArgument
+from app.programs.sketch_arguments import Arguments
+from app.programs.sketch_course import Course
+from app.programs.sketch_phrase import describe_phrase
+from app.programs.sketch_qualities import ordered
+from app.programs.sketch_selection import Selection
+from app.programs.sketch_sets import halved, left_over, movable
+from app.programs.sketch_things import Thing, listed
+
+
+class Members:
+    """Looks sets up among the things of one scene."""
+
+    def __init__(
+        self, selection: Selection, course: Course, arguments: Arguments, *, going_on: bool
+    ) -> None:
+        self._selection = selection
+        self._course = course
+        self._arguments = arguments
+        self._going_on = going_on
+
+    def targets(self, spread: SketchArgument | None, argument: SketchArgument) -> tuple[Thing, ...]:
+        if not isinstance(spread, Same | Each):
+            return ()
+        if isinstance(argument, Phrase) and spread.text == argument.text:
+            return self._others(argument)
+        return self._selection.all(Phrase(text=spread.text, quantity="all")).things
+
+    def _others(self, argument: Phrase) -> tuple[Thing, ...]:
+        """What the sentence speaks of besides the members, where the sketch repeats their words."""
+        members = {thing.name for thing in self._selection.all(argument).things}
+        for word in words(self._selection.sentence):
+            phrase = Phrase(text=word, quantity="all")
+            if self._selection.possible(phrase, members):
+                return self._selection.all(phrase, members).things
+        raise self._selection.absent(f"other place than {argument.text}")
+
+    def of(
+        self,
+        argument: SketchArgument,
+        avoid: set[str],
+        fixed: dict[int, Argument],
+        affordance: str | None,
+    ) -> list[Thing]:
+        if isinstance(argument, Rest):
+            free = [
+                t
+                for t in self._selection.things
+                if t.name not in avoid | self._course.named | self._course.taken
+            ]
+            found = movable(free, self._selection)
+            if not found:
+                raise self._selection.absent("other thing")
+            return found
+        if not isinstance(argument, Phrase):
+            raise ProgramRefused(Fault(field="program", message="a set is wanted"))
+        selected = self._selection.all(argument, avoid, affordance=affordance)
+        self._course.doubt(selected.sureness)
+        found = list(selected.things)
+        described = describe_phrase(argument)
+        told = described.colours or described.materials or described.sizes
+        if described.vague and (not told or self._arguments.elliptic(argument)):
+            found = movable(found, self._selection)
+        found = ordered(found, argument.order)
+        argument = halved(argument, self._selection.sentence, len(found))
+        argument = left_over(argument, self._selection.sentence, len(found))
+        if argument.count is not None:
+            return self._counted(argument, found, fixed)
+        if not found:
+            raise self._selection.absent(argument.text)
+        return found
+
+    def _counted(
+        self, phrase: Phrase, found: list[Thing], fixed: dict[int, Argument]
+    ) -> list[Thing]:
+        """So many of them, those first that nothing was done with yet."""
+        count = phrase.count or 0
+        there = {str(each) for each in fixed.values()}
+        fresh = [
+            thing
+            for thing in found
+            if thing.name not in self._course.taken
+            and not any(self._selection.rests(thing.name, place) for place in there)
+        ]
+        if len(found) < count:
+            have = listed([thing.name for thing in found])
+            only = f"only {len(found)}: {have}" if found else "none"
+            raise TaskDeclined(
+                f"{count} {phrase.text} are asked for and there is {only}",
+                kind="absent",
+                question=f"Should the {len(found)} be taken?" if found else None,
+            )
+        rest = [thing for thing in found if thing not in fresh]
+        done = [t for t in rest if any(self._selection.rests(t.name, place) for place in there)]
+        return ((done if self._going_on else []) + fresh + rest)[:count]
