@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from app.domain.action import ActionSignature
-from app.domain.errors import ProgramRefused, TaskDeclined
+from app.domain.errors import ModelError, ProgramRefused, TaskDeclined
 from app.domain.llm import Completion, LanguageModel
 from app.domain.planner import Draft, Report, Task
 from app.domain.program import Program, Statement
@@ -17,7 +17,9 @@ from app.programs.sketch_grammar import sketch_grammar
 from app.programs.sketch_order import unsaid
 from app.programs.sketch_parser import parse_sketch
 from app.programs.sketch_prompt import STOP, write_sketch_prompt
+from app.programs.sketch_rereading import without_asides
 from app.programs.sketch_resolver import resolve
+from app.programs.sketch_things import read_things
 from app.programs.sketch_verbs import spoken_verbs
 from app.programs.sketch_wording import plain_english
 from app.programs.transcript import Transcript, sketch_request
@@ -49,17 +51,33 @@ class Situated:
         transcript = Transcript(task.options.name, model, prompt, report)
         if task.history and (said := asks_to_undo(task.instruction.text)):
             return _draft(task, undo(task, said["what"]), 1.0, transcript.completion(), prompt)
-        completion = _sketched(task, model, transcript, sentence)
-        transcript.wrote(completion.text)
         try:
-            body, sureness = resolve(parse_sketch(completion.text), task, likeness)
-        except ProgramRefused as refused:
-            reason = f"what the model {model.name} wrote is no sketch: {refused}"
-            raise transcript.failure(reason) from refused
+            return _read(task, model, transcript, sentence)
         except TaskDeclined as declined:
-            declined.prompt, declined.completion = prompt, completion
-            raise
-        return _draft(task, body, sureness, completion, prompt)
+            shorter = without_asides(sentence, read_things(task.scene.objects))
+            if declined.kind != "absent" or shorter is None:
+                raise
+            prompt = write_sketch_prompt(shorter, task.actions, task.history)
+            transcript = Transcript(task.options.name, model, prompt, report)
+            try:
+                return _read(task, model, transcript, shorter)
+            except (TaskDeclined, ModelError):
+                raise declined from None
+
+
+def _read(task: Task, model: LanguageModel, transcript: Transcript, sentence: str) -> Draft:
+    """The draft as the sentence is read in the scene."""
+    completion = _sketched(task, model, transcript, sentence)
+    transcript.wrote(completion.text)
+    try:
+        body, sureness = resolve(parse_sketch(completion.text), task, likeness)
+    except ProgramRefused as refused:
+        reason = f"what the model {model.name} wrote is no sketch: {refused}"
+        raise transcript.failure(reason) from refused
+    except TaskDeclined as declined:
+        declined.prompt, declined.completion = transcript.prompt, completion
+        raise
+    return _draft(task, body, sureness, completion, transcript.prompt)
 
 
 def _sketched(

@@ -26,7 +26,7 @@ from app.programs.sketch_order import in_order
 from app.programs.sketch_pairs import for_each, pairs
 from app.programs.sketch_refusals import refuse_beside, refuse_harm
 from app.programs.sketch_selection import Selection
-from app.programs.sketch_sets import counted
+from app.programs.sketch_sets import counted, stays
 from app.programs.sketch_things import Thing, listed
 from app.programs.sketch_verbs import place_of, righted
 from app.programs.towers import tower
@@ -69,7 +69,7 @@ class Composer:
                 kind="impossible",
             )
         calls = [each for each in sketch.body if isinstance(each, SketchCall)]
-        calls = self._piled_up(calls)
+        calls = self._piled_up([c for c in calls if not self._left_alone(c)] or calls)
         self._name(calls)
         body: list[Statement] = []
         still: list[Statement] = []
@@ -95,6 +95,11 @@ class Composer:
             for pair in told
         ]
         return [*(call for call in calls if call not in stacking), *built]
+
+    def _left_alone(self, call: SketchCall) -> bool:
+        """Whether the sentence says that its thing stays: "leaving the third red one out"."""
+        first = call.arguments[0] if call.arguments else None
+        return isinstance(first, Phrase) and stays(first.text, self._selection.sentence)
 
     def _puts(self, call: SketchCall) -> bool:
         signature = self._signatures.get(call.action)

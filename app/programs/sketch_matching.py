@@ -17,7 +17,7 @@ from app.programs.knowledge.classes import (
     endings,
     normal,
 )
-from app.programs.knowledge.names import is_mark, plain, stem
+from app.programs.knowledge.names import NUMBERS, is_mark, plain, stem
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
 from app.programs.knowledge.wordnet import nouns
@@ -255,5 +255,4 @@ def find_class(wanted: str) -> ThingClass | None:
 
 
 def _without_numbers(core: tuple[str, ...]) -> tuple[str, ...]:
-    numbers = {"one": "1", "two": "2", "three": "3", "four": "4", "five": "5", "six": "6"}
-    return (*core[:-1], numbers.get(core[-1], core[-1])) if len(core) > 1 else core
+    return (*core[:-1], NUMBERS.get(core[-1], core[-1])) if len(core) > 1 else core

@@ -23,6 +23,12 @@ PLAINLY, USE_MARGIN = 0.6, 0.06
 several things that are meant, how far one may stay behind the likeliest."""
 SITUATED, LEAD = 0.35, 0.1
 """The likeness to a situation that is told beside, and how far the likeliest has to be ahead."""
+_WISH = re.compile(
+    r"\b(?:what(?:ever)?|(?:some|any)thing|the (?:thing|one|object|item|tool|implement|gadget|device))"
+    r"(?: that| which)? (?:i|you|we|people|one|they|he|she|to|for)\b[^,.;:!?]*?"
+    r"(?=,|\.|;|:|!|\?| should | must | goes? | belongs? | needs? | wants? | has | is | in the | into | on the )",
+    re.I,
+)
 _WHATEVER = frozenset(("whatever", "everything", "anything", "all", "things"))
 _CLAUSE_WORDS = frozenset(("for", "to", "that", "which", "you", "i", "we", "with", "made", "used"))
 _SAID_OF_ALL = word_list("said of all")
@@ -65,6 +71,18 @@ class Meaning:
         best = max((likely for likely, _ in scores), default=0.0)
         least = max(ALIKE, best - ALIKE_MARGIN)
         return [(thing, COUNTS) for likely, thing in scores if likely >= least]
+
+    def wished(self, described: Description, without: Collection[str]) -> Fits:
+        """What a clause tells of of which the words are a part: "what i use to look at the specimens"."""
+        said = set(words(described.text))
+        clauses = (match[0] for match in _WISH.finditer(self._sentence))
+        clause = next((each for each in clauses if said <= set(words(each))), None)
+        free = [t for t in self._things if t.name not in without]
+        if clause is None or self._judge is None or len(free) < 2:
+            return []
+        scores = self._judge(clause, [(thing.name, *uses(thing.name)) for thing in free])
+        (second, _), (best, thing) = sorted(zip(scores, free, strict=True), key=lambda s: s[0])[-2:]
+        return [(thing, COUNTS)] if best >= max(ALIKE, second + LEAD) else []
 
     def _called_for(self, described: Description, without: Collection[str]) -> Fits:
         """What a situation calls for: "rain is forecast; pack what I will need"."""

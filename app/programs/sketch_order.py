@@ -30,6 +30,8 @@ def in_order(call: SketchCall, signature: ActionSignature, sentence: str) -> Ske
     if len(texts) != 2 or texts[0] == texts[1]:
         return call
     told = ((PLACES, _PLACING), (TOOLS, "with|using"))
+    if any(len(re.findall(rf"\b{re.escape(each)}\b", sentence, re.I)) > 1 for each in texts):
+        return call  # Behind "on" it may stand as the place of something else.
     for kind, links in told[: 1 if _puts(call.action) else 2]:
         behind = [_stands_behind(links, text, sentence) for text in texts]
         if behind[0] != behind[1]:

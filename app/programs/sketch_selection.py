@@ -6,10 +6,12 @@ from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import belonging, classes, normal
+from app.programs.knowledge.classes import ThingClass, belonging, classes, normal
 from app.programs.knowledge.languages import in_english
 from app.programs.knowledge.names import is_mark, plain, words
+from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
+from app.programs.knowledge.wordnet import nouns
 from app.programs.sketch import Phrase
 from app.programs.sketch_matching import (
     COUNTS,
@@ -179,7 +181,7 @@ class Selection:
         ]
 
     def _fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
-        phrase = spoken_of(phrase, self.sentence)
+        phrase = self._whole(spoken_of(phrase, self.sentence))
         described = describe_phrase(phrase)
         if found := self._referred(described, without):
             return found
@@ -195,6 +197,7 @@ class Selection:
             found = self._qualified(described, self._slips(described, without), False)
         if not found and not nouns:
             found = self._qualified(described, self._meaning.perhaps(described, without), False)
+            found = found or self._meaning.wished(described, without)
         return found
 
     def _nouns(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:
@@ -206,7 +209,19 @@ class Selection:
         ]
         if described.vague and phrase.quantity == "one" and self.earlier:
             return self._alike(found) or found
-        return found
+        return as_declared(found, described)
+
+    def _whole(self, phrase: Phrase) -> Phrase:
+        """The whole name where the phrase stands only as a part of it: "desk" of the desk tidy."""
+        said = plain(self.sentence)
+        text = plain(phrase.text)
+        longer = [
+            name
+            for thing in self.things
+            if (name := plain(thing.name)) in said and name != text and name.startswith(f"{text} ")
+        ]
+        alone = len(longer) == 1 and text not in said.replace(longer[0], "")
+        return replace(phrase, text=longer[0]) if alone else phrase
 
     def _named(self, phrase: Phrase, without: Collection[str]) -> Fits:
         described = describe_phrase(phrase)
@@ -299,6 +314,33 @@ class Selection:
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
         return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
+
+
+def as_declared(found: Fits, described: Description) -> Fits:
+    """Where the scene declares some to be what is wanted, without what it declares to be another thing."""
+    wanted = normal(" ".join(described.core))
+    declared = [pair for pair in found if normal(pair[0].item.category or "") == wanted]
+    if not declared:
+        return found
+    kind = find_class(wanted)
+    return [pair for pair in found if pair in declared or not _is_other(pair[0], wanted, kind)]
+
+
+def _is_other(thing: Thing, wanted: str, kind: ThingClass | None) -> bool:
+    """Whether its declared category is neither a wider nor a narrower word for what is wanted."""
+    category = normal(thing.item.category or "")
+    if category in ("", "object") or mean_the_same(category, wanted):
+        return False
+    wider = find_class(category)
+    if (kind and belonging(category, kind) >= COUNTS) or (
+        wider and belonging(wanted, wider) >= COUNTS
+    ):
+        return False
+    return max(nouns().kind_of(category, wanted), nouns().kind_of(wanted, category)) < KINDRED
+
+
+KINDRED = 0.4
+"""From which share of WordNet's meanings on a word is a kind of another."""
 
 
 def affording(found: Fits, affordance: str | None) -> Fits:

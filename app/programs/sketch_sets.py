@@ -68,7 +68,7 @@ def halved(phrase: Phrase, sentence: str, found: int) -> Phrase:
     """With half of what is found as its number, where the sentence says "half of the eggs"."""
     spoken = r"\s+".join(map(re.escape, phrase.text.split()))
     half = re.search(
-        rf"\bhalf\s+(?:of\s+)?(?:the|these|those|my|your)?\s*{spoken}\b", sentence, re.I
+        rf"\bhalf\s+(?:of\s+)?(?:the|these|those|my|your)?\s*(?:\w+\s+)?{spoken}\b", sentence, re.I
     )
     return replace(phrase, count=found // 2) if half and found > 1 else phrase
 
@@ -82,6 +82,13 @@ def left_over(phrase: Phrase, sentence: str, found: int) -> Phrase:
     spoken = {normal(each) for each in words(match["noun"])}
     same = normal(words(phrase.text)[-1]) in spoken and phrase.count in (None, left)
     return replace(phrase, count=found - left) if same and found > left else phrase
+
+
+def stays(text: str, sentence: str) -> bool:
+    """Whether the sentence has these words left where they are."""
+    found = words(text)
+    spoken = r"\s+".join(re.escape(each) for each in found[:-1]) or re.escape(text)
+    return bool(re.search(_STAYING.format(spoken), sentence, re.I))
 
 
 def means_all(phrase: Phrase, sentence: str) -> bool:
@@ -99,4 +106,9 @@ _LEFT = re.compile(
     r"(?:of (?:the|these|those|my|your)\s+)?(?P<noun>\w+(?: \w+)?)\b"
     r".*\b(?:others?|rest|remaining|remainder)\b",
     re.I,
+)
+_STAYING = (
+    r"\b(?:leav(?:e|ing)|keep(?:ing)?|ignor(?:e|ing)|spar(?:e|ing)|not touch(?:ing)?|don't touch)\s+"
+    r"(?:only |just )?(?:the|my|your|that|this|those|these)\s+{}\b(?! and\b)(?:\s+(?!in\b|on\b|into\b|onto\b|inside\b)[\w-]+)?"
+    r"\s+(?:out|behind|alone|be|there|where|as|aside|untouched|in peace)\b"
 )

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from app.domain.scene import SceneObject
 from app.programs.knowledge.classes import head_first, normal
 from app.programs.knowledge.languages import in_english
-from app.programs.knowledge.names import is_mark, plain, words
+from app.programs.knowledge.names import plain, without_marks, words
 from app.programs.knowledge.properties import (
     MATERIALS,
     SIZES,
@@ -108,10 +108,7 @@ def _thing(item: SceneObject) -> Thing:
 
 def _read(item: SceneObject, spoken: str) -> Thing:
     found = words(spoken)
-    unmarked = found
-    while len(unmarked) > 1 and is_mark(unmarked[-1]):
-        unmarked = unmarked[:-1]
-    return Thing(item, found, normal(" ".join(unmarked)), head_first(spoken))
+    return Thing(item, found, normal(" ".join(without_marks(found))), head_first(spoken))
 
 
 def listed(names: Sequence[str], word: str = "and") -> str:

@@ -16,11 +16,13 @@ from app.programs.knowledge.languages import translated
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch_matching import misspelt
+from app.programs.sketch_rephrasing import rephrased
 
 FILE = Path(__file__).parents[2] / "static" / "knowledge" / "grammar.json"
 ALIKE = 0.8
 _TOKEN = re.compile(r"[^\W\d_]+(?:[\u2019'][^\W\d_]+)*|[^\w\s]|\S+|\s+")
 _ENGLISH = word_list("english")
+_DUTCH = word_list("dutch")
 
 
 def plain_english(sentence: str, names: Sequence[str]) -> str:
@@ -29,7 +31,7 @@ def plain_english(sentence: str, names: Sequence[str]) -> str:
         return _unspaced(sentence)
     if _is_foreign(sentence, names):
         return _glossed(sentence, names)
-    return _mended(sentence, names)
+    return rephrased(_mended(sentence, names))
 
 
 def _is_foreign(sentence: str, names: Sequence[str]) -> bool:
@@ -48,6 +50,8 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
         each for each in _TOKEN.findall(sentence.replace("\u2019", "'")) if not each.isspace()
     ]
     parts = [part for token in tokens for part in re.split(r"(?<=^[ldLD])'", token)]
+    if set(map(plain, parts)) & _DUTCH:  # Where French and Spanish say "in".
+        parts = ["and" if plain(part) == "en" else part for part in parts]
     found: list[str] = []
     place = 0
     while place < len(parts):
@@ -58,7 +62,10 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
     text = re.sub(
         rf"\b((?!the\b|a\b|in\b|on\b|and\b|all\b)[a-z]+) ({_ADJECTIVES})\b", r"\2 \1", text
     )
-    text = re.sub(r"\b(please)(?: of)? (?:please|the please)\b", r"\1", text)
+    text = " ".join(re.sub(r"\b(?:of )?(?:the )?please\b", "", text).split())
+    for first, second in (words(name) for name in names if len(words(name)) == 2):
+        text = re.sub(rf"\b{second} (?:of |the )+{first}\b", f"{first} {second}", text)
+    text = text.lstrip(" ,")
     return re.sub(r"\s+([,.!?])", r"\1", re.sub(r"\b(the|a) (the|a)\b", r"\1", text))
 
 
@@ -72,12 +79,12 @@ def _longest(parts: Sequence[str], place: int, known: set[str]) -> tuple[int, st
         if length > 1 and len(parts) - place >= length:
             if text in _small_words():
                 return length, _small_words()[text]
-            if noun := translated(text):
+            if noun := translated(text, known):
                 return length, noun
     word = plain(parts[place])
     if word in _small_words():
         return 1, _small_words()[word]
-    if noun := translated(word):
+    if noun := translated(word, known):
         return 1, f"{noun}s" if _looks_plural(parts, place) and not noun.endswith("s") else noun
     return 1, parts[place] if word in known or not word.isalpha() else word
 
@@ -97,6 +104,7 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
     scene = {word for name in names for word in words(name) if word.isalpha() and len(word) > 2}
     slips = _grammar()["slips"]
     singulars = scene | {f"{word}s" for word in scene}
+    sentence = _paired(_joined(sentence, names), names)
 
     def mend(match: re.Match[str]) -> str:
         word = plain(match[0])
@@ -109,12 +117,58 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
     return " ".join(re.sub(r"[^\W\d_]+", mend, sentence).split())
 
 
+def _joined(sentence: str, names: Sequence[str]) -> str:
+    """With names of the scene that were written as one word apart: the ``penciltin``."""
+    for name in names:
+        said = words(name)
+        if len(said) == 2 and said[1].isalpha():
+            whole = re.escape("".join(said))
+            sentence = re.sub(rf"\b{whole}\b", name, sentence, flags=re.I)
+    return sentence
+
+
+def _paired(sentence: str, names: Sequence[str]) -> str:
+    """With a real word that was written for its neighbour put right: ``sowing box``, ``sewing box``."""
+    for name in names:
+        said = words(name)
+        if len(said) != 2 or not all(map(str.isalpha, said)):
+            continue
+        for match in re.finditer(rf"\b([a-z]+) {re.escape(said[1])}\b", sentence, re.I):
+            word = plain(match[1])
+            ratio = difflib.SequenceMatcher(None, word, said[0]).ratio()
+            if word != said[0] and word[0] == said[0][0] and len(word) > 4 and ratio > ALIKE:
+                sentence = f"{sentence[: match.start()]}{name}{sentence[match.end() :]}"
+                break
+    return sentence
+
+
 def _nearest(word: str, known: set[str]) -> str | None:
-    """The known word that this one is with a slip in it."""
+    """The known word that this one is with a slip in it, or sounds like."""
     near = difflib.get_close_matches(word, sorted(known), 1, ALIKE)
     if not near:
         near = [each for each in sorted(known) if sorted(each) == sorted(word)]
+    if not near:
+        near = [each for each in sorted(known) if sounds(each) == sounds(word)]
     return near[0] if near and near[0][0] == word[0] else None
+
+
+def sounds(word: str) -> str:
+    """The word as it is heard, roughly: ``sizzors`` sounds like scissors."""
+    for pattern, sound in _SOUNDS:
+        word = re.sub(pattern, sound, word)
+    return word
+
+
+_SOUNDS = (
+    (r"sc(?=[eiy])|c(?=[eiy])|z", "s"),
+    (r"ck|c|q", "k"),
+    (r"ph", "f"),
+    (r"kn", "n"),
+    (r"wr", "r"),
+    (r"gh(?=t)", ""),
+    (r"(.)\1+", r"\1"),
+    (r"[aeiouy]+", "a"),
+)
 
 
 def _unspaced(sentence: str) -> str:

@@ -17,11 +17,18 @@ FEWEST = 3
 """Things of a tower: the order of two is told by one word, which a model reads well."""
 _PILING = re.compile(r"\b(?:stack|pile|piled|tower|heap|build|burger|sandwich|top|bottom)\b", re.I)
 _ON = re.compile(r"\b(?:on|onto|atop|over)(?: top of)?(?: the| a| an| my| that| this)? $", re.I)
+_ON_IT = re.compile(r" (?:on|onto|atop|over)(?: top of)? (?:it|that|this)\b(?! all)", re.I)
+_THEN = re.compile(
+    r"\b(?:on|onto|atop|above|over)(?: top of)? (?:which|it|that|this)\b(?! all)[^.;]{0,30}$", re.I
+)
+"""Between a thing and the one that comes onto it: "the plate, on top of which goes the cup"."""
 _DOWN = re.compile(r"top to bottom|from the top\b|top down|from above|downwards", re.I)
 _UP = re.compile(r"bottom to top|bottom up|from the bottom|ground up|upwards", re.I)
-_LOWEST = re.compile(r"\b(?:bottom|lowest|base|below|undermost)\b", re.I)
+_LOWEST = re.compile(r"\b(?:bottom|lowest|base|below|undermost|underneath|foundation)\b", re.I)
 _HIGHEST = re.compile(
-    r"\b(?:highest|uppermost|topmost)\b|\b(?:on|at|to)(?: the)?(?: very)? top\b(?! of)", re.I
+    r"\b(?:highest|uppermost|topmost)\b|\bon top of (?:it all|everything|them all|all)\b|"
+    r"\b(?:on|at|to)(?: the)?(?: very)? top\b(?! of)",
+    re.I,
 )
 
 
@@ -67,8 +74,12 @@ def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
     pairs: list[Pair] = []
     for one, other in itertools.pairwise(found):
         between = text[one.end : other.start]
-        if one.name != other.name and "." not in between and _ON.search(between):
+        if one.name == other.name:
+            continue
+        if "." not in between and _ON.search(between):
             pairs.append((one.name, other.name))
+        elif _ON_IT.match(text[other.end :]) or _THEN.search(between):
+            pairs.append((other.name, one.name))
     if len(pairs) < FEWEST - 1 or len({thing for thing, _ in pairs}) < len(pairs):
         return None
     if {name for pair in pairs for name in pair} != {each.name for each in found}:

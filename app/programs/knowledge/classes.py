@@ -12,7 +12,15 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from app.programs.knowledge.names import DETERMINERS, PORTIONS, is_mark, singular, stem, words
+from app.programs.knowledge.names import (
+    DETERMINERS,
+    PORTIONS,
+    is_mark,
+    singular,
+    stem,
+    without_marks,
+    words,
+)
 from app.programs.knowledge.word_lists import word_list
 from app.programs.knowledge.wordnet import nouns
 
@@ -30,6 +38,8 @@ FIGURES = word_list("figures")
 LIVELY = word_list("lively")
 """Classes whose likenesses count as members: a toy truck is a vehicle on a table."""
 HOLDERS = word_list("holders")
+CUTS = word_list("cuts")
+"""Said after a noun, the thing is a part of it and of its class: a salmon fillet is fish."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,6 +155,8 @@ def belonging(name: str, kind: ThingClass) -> float:
     if kind.likenesses and len(core) > 1 and core[-1] in FIGURES:
         core = core[:-1]
     direct = _by_endings(core, kind)
+    if not direct and len(core) > 1 and core[-1] in CUTS:
+        direct = 0.9 * _by_endings(core[:-1], kind)
     if kind.contents and direct < LISTED:
         held = _contents(name, core)
         direct = max([direct, *(0.85 * _by_endings(each, kind) for each in held)])
@@ -171,9 +183,7 @@ def endings(core: tuple[str, ...]) -> Iterable[str]:
 
 def head_first(name: str) -> tuple[str, ...]:
     """The words up to the head: a ``bowl of soup`` is a bowl, a ``slice of cheese`` cheese."""
-    found = list(words(name))
-    while len(found) > 1 and is_mark(found[-1]):
-        found.pop()
+    found = list(without_marks(words(name)))
     for link in ("of", "with", "for", "from", "in", "on", "full", "without"):
         if link in found[1:-1]:
             place = found.index(link, 1)

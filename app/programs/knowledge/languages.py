@@ -6,6 +6,7 @@ words for each English one.
 
 import json
 import re
+from collections.abc import Collection
 from functools import cache
 from pathlib import Path
 
@@ -56,8 +57,16 @@ def _english(word: str, *, rare: bool) -> bool:
     )
 
 
-def translated(word: str) -> str | None:
-    """The English for a word as ``plain`` makes it, whatever its ending."""
+def translated(word: str, wanted: Collection[str] = ()) -> str | None:
+    """The English for a word as ``plain`` makes it, whatever its ending.
+
+    Of several meanings it is one that is ``wanted``, if any is: Spanish "cubo" is a cube or a bucket.
+    """
+    found = _meanings(word)
+    return next((each for each in found if each in wanted), found[0] if found else None)
+
+
+def _meanings(word: str) -> tuple[str, ...]:
     table = _table()
     if word in table:
         return table[word]
@@ -66,15 +75,16 @@ def translated(word: str) -> str | None:
         if stem != word and len(stem) > 2 and (stem in table or f"{stem}e" in table):
             return table.get(stem) or table[f"{stem}e"]
     if match := re.fullmatch(r"(.+)([aeou])([^aeiou])en", word):  # Dutch potloden of potlood
-        return table.get(f"{match[1]}{match[2] * 2}{match[3]}")
-    return None
+        return table.get(f"{match[1]}{match[2] * 2}{match[3]}", ())
+    return ()
 
 
 @cache
-def _table() -> dict[str, str]:
+def _table() -> dict[str, tuple[str, ...]]:
     entries = json.loads(FILE.read_text(encoding="utf-8"))
-    found: dict[str, str] = {}
+    found: dict[str, tuple[str, ...]] = {}
     for english, others in entries.items():
         for other in others.split(","):
-            found.setdefault(" ".join(words(plain(other))), english)
+            word = " ".join(words(plain(other)))
+            found[word] = (*found.get(word, ()), english)
     return found

@@ -9,6 +9,10 @@ from app.programs.knowledge.word_lists import word_list
 DETERMINERS = word_list("determiners")
 PORTIONS = word_list("portions")
 """``a slice of cheese`` is cheese."""
+NUMBERS = {
+    "one": "1", "two": "2", "three": "3", "four": "4", "five": "5", "six": "6", "seven": "7",
+    "eight": "8", "nine": "9", "ten": "10",
+}  # fmt: skip
 _APART = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Za-z])(?=\d)|(?<=\d)(?=[A-Za-z]{2})")
 _WORD = re.compile(r"[^\W_]+(?:[\u2019'][^\W_]+)*")
 _SAME = word_list("same")
@@ -104,6 +108,13 @@ def stem(word: str) -> str:
                 word = word[:-1]
             break
     return word[:-1] if word.endswith("e") and len(word) > 3 else word
+
+
+def without_marks(found: tuple[str, ...]) -> tuple[str, ...]:
+    """The words of a name without what only tells look-alikes apart at its end: ``cup 2``, ``vial two``."""
+    while len(found) > 1 and (is_mark(found[-1]) or found[-1] in NUMBERS):
+        found = found[:-1]
+    return found
 
 
 def is_mark(word: str) -> bool:
