@@ -82,7 +82,7 @@ class Meaning:
             return []
         scores = self._judge(clause, [(thing.name, *uses(thing.name)) for thing in free])
         (second, _), (best, thing) = sorted(zip(scores, free, strict=True), key=lambda s: s[0])[-2:]
-        return [(thing, COUNTS)] if best >= max(ALIKE, second + LEAD) else []
+        return [(thing, COUNTS)] if best >= max(SITUATED, second + LEAD) else []
 
     def _called_for(self, described: Description, without: Collection[str]) -> Fits:
         """What a situation calls for: "rain is forecast; pack what I will need"."""

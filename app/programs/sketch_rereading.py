@@ -8,13 +8,16 @@ import re
 from collections.abc import Sequence
 
 from app.programs.knowledge.classes import normal
-from app.programs.knowledge.names import words
+from app.programs.knowledge.names import NUMBERS, words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch_things import Thing
 
 ORDERING = word_list("ordering")
 """Verbs that order something."""
-_CLAUSES = re.compile(r"(?<=[.!?;:\u2026])\s+|\s+[\u2014\u2013-]+\s+")
+_CLAUSES = re.compile(
+    r"(?<=[.!?;:\u2026])\s+|\s+[\u2014\u2013-]+\s+|"
+    r",\s+(?=(?:it's|it is|they're|because|since|and \w+ (?:the|my|your|all)|so)\b)"
+)
 
 
 def without_asides(sentence: str, things: Sequence[Thing]) -> str | None:
@@ -22,6 +25,7 @@ def without_asides(sentence: str, things: Sequence[Thing]) -> str | None:
     there = {normal(word) for thing in things for word in thing.words}
     there |= {thing.property("material") or "" for thing in things}
     there |= {thing.item.colour or "" for thing in things}
+    there -= {*NUMBERS, *NUMBERS.values(), ""}
     clauses = [each for each in _CLAUSES.split(sentence) if each.strip()]
     kept = [each for each in clauses if _speaks_of(each, there) or _orders(each)]
     return " ".join(kept) if 0 < len(kept) < len(clauses) else None

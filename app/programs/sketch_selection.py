@@ -332,14 +332,14 @@ def _is_other(thing: Thing, wanted: str, kind: ThingClass | None) -> bool:
     if category in ("", "object") or mean_the_same(category, wanted):
         return False
     wider = find_class(category)
-    if (kind and belonging(category, kind) >= COUNTS) or (
-        wider and belonging(wanted, wider) >= COUNTS
-    ):
+    if kind and kind.name == wanted and belonging(category, kind) >= COUNTS:
+        return False
+    if wider and belonging(wanted, wider) >= COUNTS:
         return False
     return max(nouns().kind_of(category, wanted), nouns().kind_of(wanted, category)) < KINDRED
 
 
-KINDRED = 0.4
+KINDRED = 0.5
 """From which share of WordNet's meanings on a word is a kind of another."""
 
 

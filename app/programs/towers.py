@@ -19,7 +19,7 @@ _PILING = re.compile(r"\b(?:stack|pile|piled|tower|heap|build|burger|sandwich|to
 _ON = re.compile(r"\b(?:on|onto|atop|over)(?: top of)?(?: the| a| an| my| that| this)? $", re.I)
 _ON_IT = re.compile(r" (?:on|onto|atop|over)(?: top of)? (?:it|that|this)\b(?! all)", re.I)
 _THEN = re.compile(
-    r"\b(?:on|onto|atop|above|over)(?: top of)? (?:which|it|that|this)\b(?! all)[^.;]{0,30}$", re.I
+    r"\b(?:on|onto|atop|above|over)(?: top of)? (?:which|it|that|this)\b(?! all)[^.;,]{0,30}$", re.I
 )
 """Between a thing and the one that comes onto it: "the plate, on top of which goes the cup"."""
 _DOWN = re.compile(r"top to bottom|from the top\b|top down|from above|downwards", re.I)

@@ -10,20 +10,28 @@ from app.worlds import worlds
 
 
 class CannedModel:
-    """Writes what it was told to, a few characters at a time, stopping where it is asked to."""
+    """Writes what it was told to, a few characters at a time, stopping where it is asked to.
+
+    Of several texts each request gets the next one, and the last one from then on.
+    """
 
     name = "canned"
 
-    def __init__(self, text, *, follows_grammar=True, streams=True):
-        self.text = text
+    def __init__(self, *texts, follows_grammar=True, streams=True):
+        self.texts = texts
         self.follows_grammar = follows_grammar
         self.streams = streams
         self.requests = []
 
+    @property
+    def text(self):
+        return self.texts[min(max(len(self.requests), 1), len(self.texts)) - 1]
+
     def complete(self, request, on_text=None):
         self.requests.append(request)
-        ends = [self.text.find(stop) for stop in request.stop if stop in self.text]
-        text = self.text[: min(ends)] if ends else self.text
+        said = self.text
+        ends = [said.find(stop) for stop in request.stop if stop in said]
+        text = said[: min(ends)] if ends else said
         finish = "stop"
         if len(text) > 4 * request.max_tokens:
             text, finish = text[: 4 * request.max_tokens], "length"

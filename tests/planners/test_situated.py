@@ -56,6 +56,20 @@ def test_a_declined_task_keeps_what_the_model_wrote(task, canned):
     assert declined.value.completion
 
 
+def test_asides_are_left_out_where_a_word_names_nothing(task, canned):
+    asked = _task(task, "A job for the office. Pear in the box.", "pear", "box")
+    model = canned("    grab_and_putin('job', 'office')\n", "    grab_and_putin('pear', 'box')\n")
+    assert "grab_and_putin('pear', 'box')" in _plan(asked, model).program
+    assert "# Pear in the box.\n" in model.requests[1].prompt
+
+
+def test_where_the_second_reading_fails_too_the_first_reason_is_told(task, canned):
+    asked = _task(task, "A job for the office. Pear in the box.", "pear", "box")
+    model = canned("    grab_and_putin('job', 'box')\n", "    grab_and_putin('drum', 'box')\n")
+    with pytest.raises(TaskDeclined, match="no job here"):
+        _plan(asked, model)
+
+
 def test_undo_does_not_ask_the_model(task, canned):
     turns = tuple(
         Turn(instruction="", program=f"def t():\n    grab_and_putin('pear', '{place}')\n")
