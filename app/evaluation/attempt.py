@@ -46,6 +46,11 @@ class Unit:
         return f"{self.cell.name} | {self.task.name} | {self.language} | {self.run}"
 
     @property
+    def start(self) -> str:
+        """What the beginning of the prompt depends on: the method and the environment."""
+        return f"{self.cell.name} | {self.task.environment}"
+
+    @property
     def seed(self) -> int:
         """Of the decoding and of the world's chances; the layout has the task's own."""
         return self.cell.options.seed + self.run

@@ -2,7 +2,7 @@
 
 import multiprocessing
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -153,20 +153,42 @@ def _in_processes(
 ) -> Iterator[Result]:
     """Results as they come in; never more attempts under way than there are processes."""
     context = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(jobs, context, initializer=_begin, initargs=(open_models,))
-    waiting = iter(units)
+    free = [
+        ProcessPoolExecutor(1, context, initializer=_begin, initargs=(open_models,))
+        for _ in range(jobs)
+    ]
+    pools, waiting = tuple(free), list(units)
+    last: dict[ProcessPoolExecutor, str] = {}
+    running: dict[Future[Result], ProcessPoolExecutor] = {}
     try:
-        running: set[Future[Result]] = set()
         while True:
-            while len(running) < jobs and not clock.is_up and (unit := next(waiting, None)):
-                running.add(pool.submit(_attempt, unit))
+            while free and waiting and not clock.is_up:
+                pool = free.pop(0)
+                others = {start for other, start in last.items() if other is not pool}
+                unit = waiting.pop(next_place(waiting, last.get(pool), others))
+                last[pool] = unit.start
+                running[pool.submit(_attempt, unit)] = pool
             if not running:
                 return
-            ended, running = wait(running, return_when=FIRST_COMPLETED)
+            ended, _ = wait(running, return_when=FIRST_COMPLETED)
             for future in ended:
+                free.append(running.pop(future))
                 yield future.result()
     finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+        for pool in pools:
+            pool.shutdown(wait=True, cancel_futures=True)
+
+
+def next_place(waiting: Sequence[Unit], last: str | None, others: Container[str]) -> int:
+    """Which attempt a process is to make next: one whose prompt begins like its last one.
+
+    The model has read that beginning already. Else one of a kind that no other process is at, else
+    the first.
+    """
+    starts = [unit.start for unit in waiting]
+    if last in starts:
+        return starts.index(last)
+    return next((place for place, start in enumerate(starts) if start not in others), 0)
 
 
 _process: list[OpenModel] = []

@@ -67,6 +67,8 @@ class LlmConfig:
     fetch: bool = True
     """Whether absent weights may be fetched when a model is opened."""
     threads: int = 2
+    batch: int | None = None
+    """Tokens of a prompt read between two chances to cancel; None for few enough that nobody waits."""
     context: int = 8192
     """Tokens of prompt and completion together."""
     endpoints: tuple[tuple[str, Endpoint], ...] = ()

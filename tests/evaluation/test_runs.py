@@ -1,5 +1,5 @@
 from app.evaluation.results import read_results
-from app.evaluation.runs import RESULTS, Evaluation, evaluate
+from app.evaluation.runs import RESULTS, Evaluation, evaluate, next_place
 
 
 def test_every_task_is_attempted_by_every_method_in_every_run(
@@ -63,3 +63,12 @@ def test_several_processes_find_what_one_finds(suite, make_cell, open_models, tm
     one = evaluate(evaluation, open_models, tmp_path / "one")
     two = evaluate(evaluation, open_models, tmp_path / "two", jobs=2)
     assert [(r.key, r.plan) for r in one] == [(r.key, r.plan) for r in two]
+
+
+def test_a_process_goes_on_with_what_begins_like_its_last_attempt(suite, make_cell):
+    cells = (make_cell("one"), make_cell("two"))
+    waiting = Evaluation(suite=suite, cells=cells).units()
+    one, two = waiting[0].start, waiting[-1].start
+    assert next_place(waiting, two, set()) == 2
+    assert next_place(waiting, None, {one}) == 2
+    assert next_place(waiting, "gone", {one, two}) == 0

@@ -64,7 +64,7 @@ class LocalModel:
         params.model.path = str(path)
         params.n_ctx = config.context
         params.n_parallel = 1  # the context would be divided among slots
-        params.n_batch = _batch(path)
+        params.n_batch = config.batch or _batch(path)
         params.cpuparams.n_threads = config.threads
         params.cpuparams_batch.n_threads = config.threads
         params.cache_ram_mib = 0  # one slot, and its state on disk
