@@ -7,6 +7,8 @@ from fastapi import Query
 from app.domain.errors import Fault, Refused
 
 MAX_LIMIT = 100
+MOST = 2**31 - 1
+"""The highest number that a column of whole numbers takes in every database."""
 
 Limit = Annotated[int, Query(ge=1, le=MAX_LIMIT, description="Entries of one part of the list.")]
 Cursor = Annotated[
@@ -22,6 +24,6 @@ def position(cursor: str | None) -> int | None:
     """
     if cursor is None:
         return None
-    if not (cursor.isascii() and cursor.isdigit() and len(cursor) <= 18):
+    if not (cursor.isascii() and cursor.isdigit() and int(cursor) <= MOST):
         raise Refused(Fault(field="cursor", message="pass the `next` of the part before"))
     return int(cursor)

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, Query, Response
+from fastapi import APIRouter, Path, Query, Response
 
 from app.api.paging import Cursor, Limit, position
 from app.api.parts import Parts, Using
@@ -143,7 +143,10 @@ def compare_evaluations(
 
 @router.put("/{evaluation_id}/results/{index}/verdict")
 def give_verdict(
-    evaluation_id: str, index: int, given: VerdictGiven, parts: Using
+    evaluation_id: str,
+    index: Annotated[int, Path(ge=0, lt=MOST_ATTEMPTS)],
+    given: VerdictGiven,
+    parts: Using,
 ) -> dict[str, Any]:
     """Keep a person's verdict beside the automatic one; the result as it then is."""
     with parts.database.transaction() as session:

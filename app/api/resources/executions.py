@@ -4,7 +4,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Header, Query, Response
 
-from app.api.paging import Cursor, Limit, position
+from app.api.paging import MOST, Cursor, Limit, position
 from app.api.parts import Using
 from app.api.rollouts import StoredRollout
 from app.api.schemas.base import Page
@@ -90,7 +90,7 @@ async def follow_execution(
 def read_frames(
     execution_id: str,
     parts: Using,
-    start: Annotated[int, Query(ge=0, le=2**31, description="Index of the first frame.")] = 0,
+    start: Annotated[int, Query(ge=0, le=MOST, description="Index of the first frame.")] = 0,
 ) -> Response:
     """How everything stood, moment by moment.
 
