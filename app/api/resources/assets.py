@@ -127,10 +127,7 @@ def create_asset(
     )
     counts = {"faces": made.faces, "parts": made.parts, "file_bytes": len(data)}
     with parts.database.transaction() as session:
-        known = assets.find(session, asset_id)  # Somebody may have sent it at the same time.
-        return _shown(
-            known or assets.add(session, asset, mass=density * made.volume, counts=counts)
-        )
+        return _shown(assets.add(session, asset, mass=density * made.volume, counts=counts))
 
 
 @router.get("", response_model=Page)

@@ -133,8 +133,9 @@ def rerun_execution(execution_id: str, parts: Using, response: Response) -> Exec
 def cancel_execution(execution_id: str, parts: Using) -> ExecutionShown:
     """Stop it; what happened until then is kept."""
     with parts.database.transaction() as session:
+        plan_id = executions.get(session, execution_id).plan_id
+        plan = plans.get(session, plan_id, lock=True)
         row = executions.get(session, execution_id, lock=True)
-        plan = plans.get(session, row.plan_id, lock=True)
         if row.status == "queued":
             row.status, row.finished_at = "cancelled", now()
             parts.handover.executed(session, plan, status="cancelled", error=None)
