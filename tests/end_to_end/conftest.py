@@ -12,6 +12,8 @@ import time
 import httpx
 import pytest
 
+from tests.engines import ENGINES
+
 LIMIT = 120.0  # [s], generous: the machine may be busy with other things
 SCRIPT = [
     {
@@ -25,9 +27,12 @@ SCRIPT = [
 class Service:
     """A service in a process of its own."""
 
-    def __init__(self, data_dir, script):
+    def __init__(self, data_dir, database_url, script):
         self.data_dir = data_dir
-        self._script = script
+        self._settings = {
+            "PROGPROMPT_SCRIPTED": str(script),
+            "PROGPROMPT_DATABASE_URL": database_url,
+        }
         self.lines = []
         self._ready = threading.Event()
 
@@ -43,7 +48,7 @@ class Service:
                 "--model=scripted",
                 f"--data-dir={self.data_dir}",
             ],
-            env=os.environ | {"PROGPROMPT_SCRIPTED": str(self._script), "PYTHONUNBUFFERED": "1"},
+            env=os.environ | self._settings | {"PYTHONUNBUFFERED": "1"},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
@@ -102,9 +107,10 @@ def script(tmp_path_factory):
     return path
 
 
-@pytest.fixture(scope="module")
-def service(script, tmp_path_factory):
-    service = Service(tmp_path_factory.mktemp("data"), script).start()
-    yield service
-    if service.process.poll() is None:
-        service.stop()
+@pytest.fixture(scope="module", params=ENGINES)
+def service(request, script, tmp_path_factory):
+    with request.getfixturevalue(request.param).empty() as url:
+        service = Service(tmp_path_factory.mktemp("data"), url, script).start()
+        yield service
+        if service.process.poll() is None:
+            service.stop()
