@@ -20,6 +20,11 @@ SCRIPT = [
         "when": "put the banana in the bowl",
         "text": "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n",
     },
+    {
+        "when": "take your time",
+        "text": "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n",
+        "delay": 0.05,
+    },
     {"when": "go on forever", "text": "    # on and on\n", "endless": True, "delay": 0.05},
 ]
 
@@ -88,10 +93,10 @@ class Service:
             time.sleep(0.1)
         return found
 
-    def events(self, path, *, until=None):
-        """The events of a stream, up to its end or up to one of this kind."""
+    def events(self, path, *, after=-1, until=None):
+        """The events of a stream after a number, up to its end or up to one of this kind."""
         told = []
-        with self.http.stream("GET", path) as answer:
+        with self.http.stream("GET", path, headers={"Last-Event-ID": str(after)}) as answer:
             for line in answer.iter_lines():
                 if line.startswith("data: "):
                     told.append(json.loads(line.removeprefix("data: ")))
