@@ -1,12 +1,14 @@
 """What every test folder may use: a clean environment, and databases the migrations built."""
 
 import os
-import shutil
 
 import pytest
 
 from app.storage.database import Database
 from app.worlds import worlds
+from tests.engines import ENGINES
+from tests.postgres import programs, running
+from tests.sqlite import SqliteFiles
 
 
 @pytest.fixture(autouse=True)
@@ -16,24 +18,31 @@ def clean_environment(monkeypatch):
 
 
 @pytest.fixture(scope="session")
-def migrated_file(tmp_path_factory):
-    """A SQLite file with all migrations run; to be copied, never used."""
-    path = tmp_path_factory.mktemp("migrated") / "template.sqlite"
-    database = Database(f"sqlite:///{path}")
-    database.migrate()
-    with database.engine.connect() as connection:
-        connection.exec_driver_sql("PRAGMA wal_checkpoint(TRUNCATE)")
-    database.close()
-    return path
+def sqlite(tmp_path_factory):
+    return SqliteFiles(tmp_path_factory.mktemp("sqlite"))
+
+
+@pytest.fixture(scope="session")
+def postgres():
+    folder = programs()
+    if folder is None:
+        pytest.skip("no Postgres server is installed (initdb is not there)")
+    with running(folder) as server:
+        yield server
+
+
+@pytest.fixture(params=ENGINES)
+def engine(request):
+    """Whatever makes databases of one kind; a test that uses it runs on every kind."""
+    return request.getfixturevalue(request.param)
 
 
 @pytest.fixture
-def database(migrated_file, tmp_path):
-    path = tmp_path / "progprompt.sqlite"
-    shutil.copy(migrated_file, path)
-    database = Database(f"sqlite:///{path}")
-    yield database
-    database.close()
+def database(engine):
+    with engine.migrated() as url:
+        database = Database(url)
+        yield database
+        database.close()
 
 
 class PerfectTabletop:

@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, TypeVar
 
 from sqlalchemy.exc import IntegrityError
@@ -9,6 +10,7 @@ from sqlalchemy.orm import Session
 
 from app.api.parts import Parts
 from app.api.schemas.plans import PlanGiven
+from app.domain.asset import ASSET
 from app.domain.errors import Fault, NotThere, ProgramRefused, Refused, UnknownName
 from app.domain.instruction import Instruction
 from app.domain.perception import NO_VISION
@@ -56,11 +58,21 @@ def complete_scene(scene: Scene, seed: int) -> Scene:
     Raises:
         Refused: it cannot be built, or names a world or an action that is not there.
     """
+    # What an asset is may be forgotten meanwhile; all other scenes are complete for good.
+    lasting = not any((item.kind or "").startswith(ASSET) for item in scene.objects)
+    return (_kept if lasting else _completed)(scene, seed)
+
+
+def _completed(scene: Scene, seed: int) -> Scene:
     if scene.world not in worlds:
         raise UnknownName("world", scene.world, worlds, field="scene.world")
     world = worlds[scene.world]
     offered(world, scene)
     return world.complete(scene, seed)
+
+
+_kept = lru_cache(maxsize=128)(_completed)
+"""Clients send the same scene with one sentence after another."""
 
 
 def _repeated(parts: Parts, key: str, digest: str) -> PlanRow | None:

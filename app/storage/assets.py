@@ -9,7 +9,7 @@ from sqlalchemy.orm import InstrumentedAttribute, Mapped, Session, mapped_column
 
 from app.domain.asset import ASSET, Asset
 from app.domain.errors import Conflict, NotThere
-from app.storage.base import Base, Moment, now
+from app.storage.base import Base, Moment, insert_once, now
 from app.storage.database import Database
 from app.storage.executions import ExecutionRow
 from app.storage.plans import PlanRow
@@ -73,8 +73,11 @@ def get(session: Session, asset_id: str) -> AssetRow:
 
 
 def add(session: Session, asset: Asset, *, mass: float, counts: dict[str, int]) -> AssetRow:
-    """Keep an asset; ``counts`` are its ``faces``, ``parts`` and ``file_bytes``."""
-    row = AssetRow(
+    """Keep an asset; ``counts`` are its ``faces``, ``parts`` and ``file_bytes``.
+
+    Somebody may send the same one at the same time; both get the one that was first.
+    """
+    query = insert_once(session, AssetRow).values(
         id=asset.id,
         created_at=now(),
         name=asset.name,
@@ -86,9 +89,8 @@ def add(session: Session, asset: Asset, *, mass: float, counts: dict[str, int]) 
         shape=asset.shape,
         **counts,
     )
-    session.add(row)
-    session.flush()
-    return row
+    session.execute(query)
+    return get(session, asset.id)
 
 
 def page(session: Session, *, before: int | None, limit: int) -> list[AssetRow]:

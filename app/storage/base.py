@@ -2,12 +2,14 @@
 
 import secrets
 from datetime import UTC, datetime
+from typing import TypeVar
 
-from sqlalchemy import DateTime, Dialect, MetaData
-from sqlalchemy.orm import DeclarativeBase
+from sqlalchemy import DateTime, Dialect, MetaData, Select
+from sqlalchemy.dialects import postgresql, sqlite
+from sqlalchemy.orm import DeclarativeBase, Session
 from sqlalchemy.types import TypeDecorator
 
-ID_CHARACTERS = 20
+Entity = TypeVar("Entity")
 
 
 class Base(DeclarativeBase):
@@ -38,6 +40,21 @@ class Moment(TypeDecorator[datetime]):
         """As it is read."""
         del dialect  # Unused.
         return None if value is None else value.replace(tzinfo=value.tzinfo or UTC)
+
+
+def insert_once(session: Session, table: type[Base]) -> postgresql.Insert | sqlite.Insert:
+    """Inserts rows; those that are there already stay as they are."""
+    dialect = postgresql if session.get_bind().dialect.name == "postgresql" else sqlite
+    return dialect.insert(table).on_conflict_do_nothing()
+
+
+def locked(query: Select[Entity]) -> Select[Entity]:
+    """The query, whose rows nobody else changes until the transaction ends.
+
+    Others may go on writing rows that refer to them, since their keys never change. They are read
+    anew: somebody may have changed them while the lock was waited for.
+    """
+    return query.with_for_update(key_share=True).execution_options(populate_existing=True)
 
 
 def now() -> datetime:

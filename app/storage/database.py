@@ -6,9 +6,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import psycopg
 from alembic import command
 from alembic.config import Config
 from dbos import DBOS
+from psycopg.abc import Buffer
+from psycopg.types.string import StrDumperUnknown
 from sqlalchemy import Connection, Engine, create_engine, event, make_url, text
 from sqlalchemy.orm import Session, sessionmaker
 
@@ -61,13 +64,27 @@ class Database:
 
 def _open(url: str) -> Engine:
     if make_url(url).get_backend_name() != "sqlite":
-        return create_engine(url, pool_pre_ping=True, pool_size=10, max_overflow=20)
+        engine = create_engine(url, pool_pre_ping=True, pool_size=10, max_overflow=20)
+        event.listen(engine, "connect", _spare_nul)
+        return engine
     path = make_url(url).database
     if path and path != ":memory:":
         Path(path).parent.mkdir(parents=True, exist_ok=True)
     engine = create_engine(url, pool_size=10, max_overflow=40)
     event.listen(engine, "connect", _prepare)
     return engine
+
+
+def _spare_nul(connection: psycopg.Connection, _record: object) -> None:
+    connection.adapters.register_dumper(str, _NulReplaced)
+
+
+class _NulReplaced(StrDumperUnknown):
+    """Postgres takes no NUL in a text, but a stranger may ask for an id with one in it."""
+
+    def dump(self, obj: str) -> Buffer | None:
+        """The text; a NUL becomes the character that stands for what cannot be shown."""
+        return super().dump(obj.replace("\0", "\ufffd"))
 
 
 def _prepare(connection: sqlite3.Connection, _record: object) -> None:

@@ -5,11 +5,10 @@ from datetime import datetime
 from typing import Any, Literal
 
 from sqlalchemy import JSON, ForeignKey, String, Text, UniqueConstraint, func, select
-from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.domain.errors import NotThere
-from app.storage.base import Base, Moment
+from app.storage.base import Base, Moment, insert_once, locked
 
 Status = Literal["queued", "running", "succeeded", "failed", "cancelled"]
 UNFINISHED: tuple[Status, ...] = ("queued", "running")
@@ -58,7 +57,7 @@ def get(session: Session, evaluation_id: str, *, lock: bool = False) -> Evaluati
         NotThere: no evaluation has this id.
     """
     query = select(EvaluationRow).where(EvaluationRow.id == evaluation_id)
-    row = session.scalar(query.with_for_update() if lock else query)
+    row = session.scalar(locked(query) if lock else query)
     if row is None:
         raise NotThere("evaluation", evaluation_id)
     return row
@@ -86,9 +85,8 @@ def page(session: Session, *, before: int | None, limit: int) -> list[Evaluation
 
 def take(session: Session, evaluation_id: str, index: int) -> EvaluationResultRow:
     """The row of an attempt, made where there is none yet."""
-    dialect = postgresql if session.get_bind().dialect.name == "postgresql" else sqlite
     new = {"evaluation_id": evaluation_id, "index": index, "attempts": 0}
-    session.execute(dialect.insert(EvaluationResultRow).values(new).on_conflict_do_nothing())
+    session.execute(insert_once(session, EvaluationResultRow).values(new))
     return result(session, evaluation_id, index)
 
 

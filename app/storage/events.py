@@ -6,11 +6,10 @@ from typing import Any
 
 from pydantic import TypeAdapter
 from sqlalchemy import JSON, String, UniqueConstraint, func, select
-from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.domain.trace import Event, ExecutionEvent
-from app.storage.base import Base, Moment, now
+from app.storage.base import Base, Moment, insert_once, now
 
 _events: TypeAdapter[Event] = TypeAdapter(Event)
 
@@ -50,8 +49,7 @@ def append(session: Session, owner: str, first: int, events: Sequence[Event]) ->
         }
         for offset, event in enumerate(events)
     ]
-    dialect = postgresql if session.get_bind().dialect.name == "postgresql" else sqlite
-    session.execute(dialect.insert(EventRow).on_conflict_do_nothing(), rows)
+    session.execute(insert_once(session, EventRow), rows)
 
 
 def after(session: Session, owner: str, sequence: int, *, limit: int = 1000) -> list[EventRow]:

@@ -18,7 +18,7 @@ from sqlalchemy import (
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.domain.errors import NotThere
-from app.storage.base import Base, Moment
+from app.storage.base import Base, Moment, locked
 
 Status = Literal["queued", "executing", "succeeded", "failed", "cancelled"]
 UNFINISHED: tuple[Status, ...] = ("queued", "executing")
@@ -68,6 +68,7 @@ class ExecutionRow(Base):
 
 
 _BY_ID = select(ExecutionRow).where(ExecutionRow.id == bindparam("id"))
+_LOCKED = locked(_BY_ID)
 _OF_PLAN = (
     select(ExecutionRow.id, ExecutionRow.status)
     .where(ExecutionRow.plan_id == bindparam("plan_id"))
@@ -78,10 +79,12 @@ _OF_PLAN = (
 def get(session: Session, execution_id: str, *, lock: bool = False) -> ExecutionRow:
     """One execution; with ``lock`` nobody else changes it until the transaction ends.
 
+    Who needs its plan locked as well locks the plan first, lest two wait for each other.
+
     Raises:
         NotThere: no execution has this id.
     """
-    row = session.scalar(_BY_ID.with_for_update() if lock else _BY_ID, {"id": execution_id})
+    row = session.scalar(_LOCKED if lock else _BY_ID, {"id": execution_id})
     if row is None:
         raise NotThere("execution", execution_id)
     return row

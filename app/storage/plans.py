@@ -8,7 +8,7 @@ from sqlalchemy import JSON, BigInteger, Double, String, Text, bindparam, func, 
 from sqlalchemy.orm import Mapped, Session, mapped_column
 
 from app.domain.errors import NotThere
-from app.storage.base import Base, Moment
+from app.storage.base import Base, Moment, locked
 
 Status = Literal[
     "queued",
@@ -81,6 +81,7 @@ class PlanRow(Base):
 
 _BY_ID = select(PlanRow).where(PlanRow.id == bindparam("id"))
 """Written once: putting a query together takes longer than SQLite takes to answer it."""
+_LOCKED = locked(_BY_ID)
 
 
 def get(session: Session, plan_id: str, *, lock: bool = False) -> PlanRow:
@@ -89,7 +90,7 @@ def get(session: Session, plan_id: str, *, lock: bool = False) -> PlanRow:
     Raises:
         NotThere: no plan has this id.
     """
-    row = session.scalar(_BY_ID.with_for_update() if lock else _BY_ID, {"id": plan_id})
+    row = session.scalar(_LOCKED if lock else _BY_ID, {"id": plan_id})
     if row is None:
         raise NotThere("plan", plan_id)
     return row

@@ -119,12 +119,14 @@ class Simulation:
         }
         with self._database.transaction() as session:
             row = executions.get(session, execution_id)
+            # The plan before its executions, as everywhere: who locks them the other way round
+            # and whoever cancels the plan meanwhile would wait for each other.
+            plan = plans.get(session, row.plan_id, lock=True)
             if row.rerun_of is not None and ended.status != "cancelled":
                 values["identical"] = events.same(session, execution_id, row.rerun_of)
             executions.change(
                 session, execution_id, when=("executing",), finished_at=now(), **values
             )
-            plan = plans.get(session, row.plan_id, lock=True)
             if ended.observed and self._handover.may_replan(plan, row):
                 self._handover.replan(session, plan, execution_id, ended.observed)
             else:

@@ -1,6 +1,5 @@
 """The service on a port of its own in this process; its workers' desks are called by hand."""
 
-import shutil
 import socket
 import threading
 from contextlib import contextmanager
@@ -18,6 +17,7 @@ from app.storage.handover import Handover
 from app.storage.jobs import Jobs
 from app.worker.planning import Planning
 from app.worker.simulation import Simulation
+from tests.engines import ENGINES
 
 BODY = "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n"
 SCENE = {"world": "perfect", "objects": [{"name": "banana"}, {"name": "bowl"}]}
@@ -67,12 +67,11 @@ def client(parts):
         yield client
 
 
-@pytest.fixture(scope="session")
-def standing(migrated_file, tmp_path_factory):
+@pytest.fixture(scope="session", params=ENGINES)
+def standing(request):
     """A service that many tests share: for requests that leave nothing behind."""
-    path = tmp_path_factory.mktemp("standing") / "progprompt.sqlite"
-    shutil.copy(migrated_file, path)
-    with serving(parts_over(Database(f"sqlite:///{path}"))) as client:
+    engine = request.getfixturevalue(request.param)
+    with engine.migrated() as url, serving(parts_over(Database(url))) as client:
         yield client
 
 

@@ -175,7 +175,16 @@ def test_nothing_can_be_done_with_what_is_not_there(standing, problem_of, path):
 
 
 @pytest.mark.parametrize(
-    "query", ["limit=0", "limit=101", "limit=x", "cursor=abc", "cursor=-1", "status=asleep"]
+    "query",
+    [
+        "limit=0",
+        "limit=101",
+        "limit=x",
+        "cursor=abc",
+        "cursor=-1",
+        "cursor=2147483648",
+        "status=asleep",
+    ],
 )
 def test_a_bad_query_is_refused_by_the_name_of_its_field(standing, problem_of, query):
     problem = problem_of(standing.get(f"/plans?{query}"), 422)

@@ -91,3 +91,12 @@ def test_a_recording_is_a_file_to_download(client, request_body):
 
 def test_a_world_without_motion_has_no_recording(client, executed, problem_of):
     problem_of(client.get(f"/executions/{executed[1]}/recording"), 404)
+
+
+def test_numbers_beyond_what_a_database_holds_are_refused(client, executed, problem_of):
+    plan_id, execution_id = executed
+    for line in (2**31, 10**30):
+        body = {"after": execution_id, "line": line}
+        problem_of(client.post(f"/plans/{plan_id}/executions", json=body), 422)
+    problem_of(client.get(f"/executions/{execution_id}/frames", params={"start": 2**31}), 422)
+    problem_of(client.get(f"/executions/{execution_id}/trace", params={"cursor": 2**31}), 422)

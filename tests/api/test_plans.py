@@ -1,6 +1,9 @@
 import json
+import secrets
 
 import pytest
+
+from app.worlds import worlds
 
 PROGRAM = "def f():\n    # go\n    grab_and_putin('banana', 'bowl')\n"
 
@@ -153,6 +156,21 @@ def test_a_stored_scene_can_be_planned_in(client, request_body):
     plan = client.post("/plans", json=without(request_body, "scene", scene_id=scene_id)).json()
     assert plan["scene_id"] == scene_id
     assert [item["name"] for item in plan["scene"]["objects"]] == ["banana", "bowl"]
+
+
+def test_a_scene_sent_again_is_not_completed_again(client, request_body, monkeypatch):
+    completed = []
+    complete = worlds["perfect"].complete
+
+    def counting(scene, seed):
+        completed.append(seed)
+        return complete(scene, seed)
+
+    monkeypatch.setattr(worlds["perfect"], "complete", counting)
+    seed = secrets.randbits(31)  # Nobody has asked for it before.
+    for each in (seed, seed, seed + 1):
+        client.post("/plans", json=request_body | {"seed": each})
+    assert completed == [seed, seed + 1]
 
 
 def test_a_scene_may_name_its_robot_and_else_has_the_usual_one(client, request_body, problem_of):

@@ -72,8 +72,9 @@ def service(tmp_path_factory):
     service.stop()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser():
+    # Not longer: while Playwright is open nobody else may run an event loop in this thread.
     with sync_playwright() as playwright:
         path = executable(playwright)
         yield playwright.chromium.launch(executable_path=path, args=list(ARGUMENTS))

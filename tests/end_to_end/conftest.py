@@ -12,11 +12,18 @@ import time
 import httpx
 import pytest
 
+from tests.engines import ENGINES
+
 LIMIT = 120.0  # [s], generous: the machine may be busy with other things
 SCRIPT = [
     {
         "when": "put the banana in the bowl",
         "text": "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n",
+    },
+    {
+        "when": "take your time",
+        "text": "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n",
+        "delay": 0.05,
     },
     {"when": "go on forever", "text": "    # on and on\n", "endless": True, "delay": 0.05},
 ]
@@ -25,9 +32,12 @@ SCRIPT = [
 class Service:
     """A service in a process of its own."""
 
-    def __init__(self, data_dir, script):
+    def __init__(self, data_dir, database_url, script):
         self.data_dir = data_dir
-        self._script = script
+        self._settings = {
+            "PROGPROMPT_SCRIPTED": str(script),
+            "PROGPROMPT_DATABASE_URL": database_url,
+        }
         self.lines = []
         self._ready = threading.Event()
 
@@ -43,7 +53,7 @@ class Service:
                 "--model=scripted",
                 f"--data-dir={self.data_dir}",
             ],
-            env=os.environ | {"PROGPROMPT_SCRIPTED": str(self._script), "PYTHONUNBUFFERED": "1"},
+            env=os.environ | self._settings | {"PYTHONUNBUFFERED": "1"},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
@@ -83,10 +93,10 @@ class Service:
             time.sleep(0.1)
         return found
 
-    def events(self, path, *, until=None):
-        """The events of a stream, up to its end or up to one of this kind."""
+    def events(self, path, *, after=-1, until=None):
+        """The events of a stream after a number, up to its end or up to one of this kind."""
         told = []
-        with self.http.stream("GET", path) as answer:
+        with self.http.stream("GET", path, headers={"Last-Event-ID": str(after)}) as answer:
             for line in answer.iter_lines():
                 if line.startswith("data: "):
                     told.append(json.loads(line.removeprefix("data: ")))
@@ -102,9 +112,10 @@ def script(tmp_path_factory):
     return path
 
 
-@pytest.fixture(scope="module")
-def service(script, tmp_path_factory):
-    service = Service(tmp_path_factory.mktemp("data"), script).start()
-    yield service
-    if service.process.poll() is None:
-        service.stop()
+@pytest.fixture(scope="module", params=ENGINES)
+def service(request, script, tmp_path_factory):
+    with request.getfixturevalue(request.param).empty() as url:
+        service = Service(tmp_path_factory.mktemp("data"), url, script).start()
+        yield service
+        if service.process.poll() is None:
+            service.stop()

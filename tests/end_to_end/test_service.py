@@ -42,27 +42,6 @@ def test_a_sentence_becomes_a_scored_rollout(service):
     assert int(frames.headers["frame-count"]) > 100
 
 
-def test_killing_the_simulation_worker_loses_nothing_and_tells_nothing_twice(service):
-    scene = {"objects": [*REQUEST["scene"]["objects"], {"name": "block"}]}
-    body = {"scene": scene, "program": TWICE, "execute": False, "goal": ["in(banana, bowl)"]}
-    plan_id = service.http.post("/plans", json=body).json()["id"]
-    path = f"/plans/{plan_id}/executions"
-    whole = service.http.post(path).json()["id"]
-    service.wait(f"/executions/{whole}", "succeeded", "failed")
-    broken = service.http.post(path).json()["id"]
-    seen = service.events(f"/executions/{broken}/events", until="action_performed")
-    os.kill(service.worker("simulation-1"), signal.SIGKILL)
-    service.wait(f"/executions/{broken}", "succeeded", "failed")
-    stories = [service.get(f"/executions/{one}/trace")["items"] for one in (whole, broken)]
-    for story in stories:
-        assert [event["sequence"] for event in story] == list(range(len(story)))
-    plain = [[event | {"at": ""} for event in story] for story in stories]
-    assert plain[1] == plain[0]
-    assert stories[1][: len(seen)] == seen
-    films = [service.http.get(f"/executions/{one}/frames").content for one in (whole, broken)]
-    assert films[1] == films[0]
-
-
 def test_a_plan_is_cancelled_while_the_model_writes(service):
     plan = service.http.post("/plans", json=REQUEST | {"instruction": "go on forever"}).json()
     service.events(f"/plans/{plan['id']}/events", until="completion_grew")

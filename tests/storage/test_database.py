@@ -4,6 +4,7 @@ import sys
 import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
+from sqlalchemy import inspect
 
 from app.storage.base import Base
 from app.storage.database import Database
@@ -11,11 +12,11 @@ from app.storage.database import Database
 MIGRATE = "import sys; from app.storage.database import Database; Database(sys.argv[1]).migrate()"
 
 
-def test_four_processes_may_migrate_the_same_new_database_at_once(tmp_path):
-    url = f"sqlite:///{tmp_path / 'new.sqlite'}"
-    command = [sys.executable, "-c", MIGRATE, url]
-    processes = [subprocess.Popen(command, stderr=subprocess.PIPE, text=True) for _ in range(4)]
-    ends = [(process.communicate()[1], process.returncode) for process in processes]
+def test_four_processes_may_migrate_the_same_new_database_at_once(engine):
+    with engine.empty() as url:
+        command = [sys.executable, "-c", MIGRATE, url]
+        processes = [subprocess.Popen(command, stderr=subprocess.PIPE, text=True) for _ in range(4)]
+        ends = [(process.communicate()[1], process.returncode) for process in processes]
     assert [code for _, code in ends] == [0, 0, 0, 0], ends
 
 
@@ -29,8 +30,8 @@ def test_the_migrations_build_exactly_the_tables_of_the_code(database):
         assert compare_metadata(context, Base.metadata) == []
 
 
-def test_a_file_database_is_in_wal_mode_with_foreign_keys(database):
-    with database.engine.connect() as connection:
+def test_a_file_database_is_in_wal_mode_with_foreign_keys(sqlite):
+    with sqlite.migrated() as url, Database(url).engine.connect() as connection:
         assert connection.exec_driver_sql("PRAGMA journal_mode").scalar() == "wal"
         assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
 
@@ -43,9 +44,7 @@ def test_a_failed_transaction_leaves_nothing_behind(database):
 
     with pytest.raises(RuntimeError):
         half()
-    with database.engine.connect() as connection:
-        query = "SELECT count(*) FROM sqlite_master WHERE name = 'half'"
-        assert connection.exec_driver_sql(query).scalar() == 0
+    assert not inspect(database.engine).has_table("half")
 
 
 def test_a_reader_sees_nothing_of_an_open_transaction_and_does_not_wait(database):
@@ -53,8 +52,7 @@ def test_a_reader_sees_nothing_of_an_open_transaction_and_does_not_wait(database
     with database.transaction() as session:
         session.connection().exec_driver_sql("CREATE TABLE first (done INTEGER)")
         with other.reading() as reader:
-            query = "SELECT count(*) FROM sqlite_master WHERE name = 'first'"
-            assert reader.connection().exec_driver_sql(query).scalar() == 0
+            assert not inspect(reader.connection()).has_table("first")
     with other.transaction() as session:
         session.connection().exec_driver_sql("INSERT INTO first VALUES (1)")
     other.close()

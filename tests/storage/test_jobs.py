@@ -1,6 +1,7 @@
 import pytest
 
 from app.storage.jobs import VERSION, Jobs
+from tests.engines import workflows_table
 
 
 @pytest.fixture
@@ -15,7 +16,7 @@ def waiting(database):
     with database.engine.connect() as connection:
         query = (
             "SELECT workflow_uuid, queue_name, status, serialization, application_version "
-            "FROM workflow_status"
+            f"FROM {workflows_table(database)}"
         )
         return [tuple(row) for row in connection.exec_driver_sql(query)]
 

@@ -9,6 +9,22 @@ def test_an_unknown_plan_is_not_there(database):
         plans.get(session, "pl_none")
 
 
+def test_an_id_that_no_database_could_hold_is_not_there(database):
+    with database.reading() as session, pytest.raises(NotThere):
+        plans.get(session, "pl_\0")
+
+
+def test_a_plan_read_under_a_lock_is_read_anew(database, make_plan):
+    plan_id = make_plan().id
+    with database.reading() as session:
+        seen = plans.get(session, plan_id)
+        session.commit()
+        with database.transaction() as other:
+            plans.change(other, plan_id, when=("queued",), error="why")
+        assert plans.get(session, plan_id, lock=True).error == "why"
+        assert seen.error == "why"
+
+
 def test_a_change_happens_only_in_the_statuses_it_is_meant_for(database, make_plan):
     plan = make_plan(status="cancelled")
     with database.transaction() as session:

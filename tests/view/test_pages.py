@@ -43,6 +43,17 @@ def test_page_of_a_rollout_is_visers_client(http):
     assert "<script" in answer.text
 
 
+def test_visers_client_is_packed_and_not_sent_to_who_has_it(http):
+    path = "/viewer/done/page/"
+    packed = http.get(path, headers={"Accept-Encoding": "gzip"})
+    plain = http.get(path, headers={"Accept-Encoding": "identity"})
+    assert packed.text == plain.text
+    sizes = [int(each.headers["content-length"]) for each in (packed, plain)]
+    assert sizes[0] < 0.9 * sizes[1]
+    again = http.get("/viewer/done/other/", headers={"If-None-Match": plain.headers["etag"]})
+    assert (again.status_code, again.content) == (304, b"")
+
+
 def test_rollout_has_a_page_of_its_own_with_controls(http):
     answer = http.get("/viewer/done/")
     assert answer.headers["content-type"].startswith("text/html")

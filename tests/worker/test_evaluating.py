@@ -9,6 +9,7 @@ from app.storage.base import new_id, now
 from app.storage.evaluations import EvaluationRow
 from app.storage.jobs import Jobs
 from app.worker.evaluating import Evaluating, SharedDesk
+from tests.engines import workflows_table
 
 BANANA = "    grab_and_putin('banana', 'bowl')\n"
 
@@ -56,8 +57,9 @@ def read(database, evaluation):
 
 
 def queued(database):
+    query = f"SELECT workflow_uuid FROM {workflows_table(database)}"
     with database.reading() as session:
-        found = session.connection().exec_driver_sql("SELECT workflow_uuid FROM workflow_status")
+        found = session.connection().exec_driver_sql(query)
         return {name for (name,) in found}
 
 

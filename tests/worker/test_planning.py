@@ -5,6 +5,7 @@ from app.domain.trace import CompletionGrew
 from app.llm.backends.scripted import Answer, ScriptedModel
 from app.storage import events, executions, plans
 from app.worker.planning import Planning
+from tests.engines import workflows_table
 
 
 def told(database, plan_id):
@@ -51,7 +52,8 @@ def test_a_plan_that_is_to_be_executed_gets_an_execution_on_the_simulation_queue
     with database.reading() as session:
         [(execution_id, status)] = executions.of_plan(session, plan_id)
         queue = session.connection().exec_driver_sql(
-            f"SELECT queue_name FROM workflow_status WHERE workflow_uuid = '{execution_id}'"
+            f"SELECT queue_name FROM {workflows_table(database)} "
+            f"WHERE workflow_uuid = '{execution_id}'"
         )
         assert (status, queue.scalar()) == ("queued", "simulation")
 

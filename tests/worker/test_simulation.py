@@ -1,3 +1,6 @@
+import threading
+import time
+
 import pytest
 
 from app.storage import events, executions, plans
@@ -141,3 +144,20 @@ def test_a_plan_waits_for_the_last_of_its_executions(
     assert read_plan(plan_id).status == "executing"
     simulation(second)
     assert read_plan(plan_id).status == "succeeded"
+
+
+def test_a_plan_cancelled_in_the_moment_its_execution_ends_is_not_in_its_way(
+    database, make_execution, simulation, read_execution, read_plan
+):
+    execution_id = make_execution()
+    plan_id = read_execution(execution_id).plan_id
+    with database.transaction() as session:
+        plans.get(session, plan_id, lock=True)
+        ending = threading.Thread(target=simulation, args=[execution_id])
+        ending.start()
+        time.sleep(1)  # By now it waits for the plan, or on SQLite for its first transaction.
+        executions.request_cancel(session, plan_id)
+    ending.join()
+    execution = read_execution(execution_id)
+    assert execution.status in ("succeeded", "cancelled")
+    assert read_plan(plan_id).status == execution.status

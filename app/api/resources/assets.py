@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 from fastapi import APIRouter, Depends, Query, Request, Response
 from starlette.exceptions import HTTPException
 
-from app.api.paging import Cursor, Limit, position
+from app.api.paging import Cursor, Limit, part, position
 from app.api.parts import Using
 from app.api.schemas.assets import AssetShown
 from app.api.schemas.base import Page, Text
@@ -127,19 +127,15 @@ def create_asset(
     )
     counts = {"faces": made.faces, "parts": made.parts, "file_bytes": len(data)}
     with parts.database.transaction() as session:
-        known = assets.find(session, asset_id)  # Somebody may have sent it at the same time.
-        return _shown(
-            known or assets.add(session, asset, mass=density * made.volume, counts=counts)
-        )
+        return _shown(assets.add(session, asset, mass=density * made.volume, counts=counts))
 
 
 @router.get("", response_model=Page)
-def list_assets(parts: Using, limit: Limit = 20, cursor: Cursor = None) -> Page:
+def list_assets(parts: Using, limit: Limit = 20, cursor: Cursor = None) -> Response:
     """Assets, newest first."""
     with parts.database.reading() as session:
         rows = assets.page(session, before=position(cursor), limit=limit + 1)
-    items = [_shown(row).model_dump(mode="json") for row in rows[:limit]]
-    return Page(items=items, next=str(rows[limit - 1].serial) if len(rows) > limit else None)
+    return part(rows, limit, _shown)
 
 
 @router.get("/{asset_id}")

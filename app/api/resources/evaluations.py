@@ -3,9 +3,9 @@
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Literal
 
-from fastapi import APIRouter, Query, Response
+from fastapi import APIRouter, Path, Query, Response
 
-from app.api.paging import Cursor, Limit, position
+from app.api.paging import Cursor, Limit, part, position
 from app.api.parts import Parts, Using
 from app.api.schemas.base import Page
 from app.api.schemas.evaluations import (
@@ -65,15 +65,13 @@ def start_evaluation(given: EvaluationGiven, parts: Using, response: Response) -
 
 
 @router.get("", response_model=Page)
-def list_evaluations(parts: Using, limit: Limit = 20, cursor: Cursor = None) -> Page:
+def list_evaluations(parts: Using, limit: Limit = 20, cursor: Cursor = None) -> Response:
     """Evaluations, newest first."""
     with parts.database.reading() as session:
         rows = evaluations.page(session, before=position(cursor), limit=limit + 1)
-        items = [
-            show_evaluation(row, evaluations.count_done(session, row.id)).model_dump(mode="json")
-            for row in rows[:limit]
-        ]
-    return Page(items=items, next=str(rows[limit - 1].serial) if len(rows) > limit else None)
+        return part(
+            rows, limit, lambda row: show_evaluation(row, evaluations.count_done(session, row.id))
+        )
 
 
 @router.get("/suites", response_model=Page)
@@ -143,7 +141,10 @@ def compare_evaluations(
 
 @router.put("/{evaluation_id}/results/{index}/verdict")
 def give_verdict(
-    evaluation_id: str, index: int, given: VerdictGiven, parts: Using
+    evaluation_id: str,
+    index: Annotated[int, Path(ge=0, lt=MOST_ATTEMPTS)],
+    given: VerdictGiven,
+    parts: Using,
 ) -> dict[str, Any]:
     """Keep a person's verdict beside the automatic one; the result as it then is."""
     with parts.database.transaction() as session:

@@ -3,8 +3,9 @@
 from typing import Annotated
 
 from fastapi import APIRouter, Header, Query, Response
+from sqlalchemy.orm import Session
 
-from app.api.paging import Cursor, Limit, position
+from app.api.paging import MOST, Cursor, Limit, part, position
 from app.api.parts import Using
 from app.api.rollouts import StoredRollout
 from app.api.schemas.base import Page
@@ -12,10 +13,12 @@ from app.api.schemas.executions import ExecutionShown, show_execution
 from app.api.schemas.trace import event_view
 from app.api.streams import Ending, event_stream
 from app.api.what_if import repeated
+from app.api.writing import written
 from app.domain.errors import Conflict
 from app.storage import events, executions, frames, plans
 from app.storage.base import now
 from app.storage.events import EventRow
+from app.storage.executions import ExecutionRow
 from app.view.recording import record
 
 router = APIRouter(prefix="/executions", tags=["executions"])
@@ -27,27 +30,19 @@ def list_executions(
     limit: Limit = 20,
     cursor: Cursor = None,
     plan_id: Annotated[str | None, Query(max_length=32, description="Only of this plan.")] = None,
-) -> Page:
+) -> Response:
     """Executions, newest first."""
     with parts.database.reading() as session:
         before = position(cursor)
         rows = executions.page(session, before=before, limit=limit + 1, plan_id=plan_id)
-        items = [
-            show_execution(
-                row, plans.get(session, row.plan_id), events.all_of(session, row.id)
-            ).model_dump(mode="json")
-            for row in rows[:limit]
-        ]
-    return Page(items=items, next=str(rows[limit - 1].serial) if len(rows) > limit else None)
+        return part(rows, limit, lambda row: _shown(session, row))
 
 
-@router.get("/{execution_id}")
-def read_execution(execution_id: str, parts: Using) -> ExecutionShown:
+@router.get("/{execution_id}", response_model=ExecutionShown)
+def read_execution(execution_id: str, parts: Using) -> Response:
     """One execution: its steps so far, its scores, how everything stands at the end."""
     with parts.database.reading() as session:
-        row = executions.get(session, execution_id)
-        plan = plans.get(session, row.plan_id)
-        return show_execution(row, plan, events.all_of(session, execution_id))
+        return written(_shown(session, executions.get(session, execution_id)))
 
 
 @router.get("/{execution_id}/trace", response_model=Page)
@@ -90,7 +85,7 @@ async def follow_execution(
 def read_frames(
     execution_id: str,
     parts: Using,
-    start: Annotated[int, Query(ge=0, le=2**31, description="Index of the first frame.")] = 0,
+    start: Annotated[int, Query(ge=0, le=MOST, description="Index of the first frame.")] = 0,
 ) -> Response:
     """How everything stood, moment by moment.
 
@@ -133,8 +128,9 @@ def rerun_execution(execution_id: str, parts: Using, response: Response) -> Exec
 def cancel_execution(execution_id: str, parts: Using) -> ExecutionShown:
     """Stop it; what happened until then is kept."""
     with parts.database.transaction() as session:
+        plan_id = executions.get(session, execution_id).plan_id
+        plan = plans.get(session, plan_id, lock=True)
         row = executions.get(session, execution_id, lock=True)
-        plan = plans.get(session, row.plan_id, lock=True)
         if row.status == "queued":
             row.status, row.finished_at = "cancelled", now()
             parts.handover.executed(session, plan, status="cancelled", error=None)
@@ -142,3 +138,7 @@ def cancel_execution(execution_id: str, parts: Using) -> ExecutionShown:
             raise Conflict(f"the execution is {row.status} already")
         row.cancel_requested = True
         return show_execution(row, plan, events.all_of(session, execution_id))
+
+
+def _shown(session: Session, row: ExecutionRow) -> ExecutionShown:
+    return show_execution(row, plans.get(session, row.plan_id), events.all_of(session, row.id))

@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import APIRouter, Header, Query, Response
 from sqlalchemy.orm import Session
 
-from app.api.paging import Cursor, Limit, position
+from app.api.paging import Cursor, Limit, part, position
 from app.api.parts import Parts, Using
 from app.api.schemas.base import Page
 from app.api.schemas.executions import ExecutionShown, show_execution
@@ -13,6 +13,7 @@ from app.api.schemas.plans import ExecutionGiven, PlanGiven, PlanShown, show_pla
 from app.api.streams import Ending, event_stream
 from app.api.submission import submit
 from app.api.what_if import changed_execution
+from app.api.writing import written
 from app.domain.errors import Conflict
 from app.storage import events, executions, plans
 from app.storage.base import now
@@ -45,20 +46,19 @@ def list_plans(
     limit: Limit = 20,
     cursor: Cursor = None,
     status: Annotated[Status | None, Query(description="Only plans of this status.")] = None,
-) -> Page:
+) -> Response:
     """Plans, newest first."""
     with parts.database.reading() as session:
         rows = plans.page(session, before=position(cursor), limit=limit + 1, status=status)
         of_plans = executions.of_plans(session, [row.id for row in rows])
-    shown = [show_plan(row, of_plans[row.id]).model_dump(mode="json") for row in rows[:limit]]
-    return Page(items=shown, next=str(rows[limit - 1].serial) if len(rows) > limit else None)
+    return part(rows, limit, lambda row: show_plan(row, of_plans[row.id]))
 
 
 @router.get("/{plan_id}", response_model=PlanShown)
 def read_plan(plan_id: str, parts: Using) -> Response:
     """One plan, with everything that came of it so far."""
     with parts.database.reading() as session:
-        return _json(_shown(session, plans.get(session, plan_id)))
+        return written(_shown(session, plans.get(session, plan_id)))
 
 
 @router.get("/{plan_id}/events", response_class=Response)
@@ -90,7 +90,7 @@ def execute_plan(plan_id: str, parts: Using, request: ExecutionGiven | None = No
         row.cancel_requested = row.cancel_requested and row.status == "executing"
         execution = parts.handover.approved(session, row, wanted)
         shown = show_execution(execution, row, [])
-    return _json(shown, 202, {"Location": f"/executions/{execution.id}"})
+    return written(shown, 202, {"Location": f"/executions/{execution.id}"})
 
 
 @router.post("/{plan_id}/approve", status_code=202, response_model=PlanShown)
@@ -101,7 +101,7 @@ def approve_plan(plan_id: str, parts: Using) -> Response:
         if row.status != "awaiting_approval":
             raise Conflict(f"the plan is {row.status}; only one that awaits approval can get it")
         parts.handover.approved(session, row, execution_of(session, row))
-        return _json(_shown(session, row), 202)
+        return written(_shown(session, row), 202)
 
 
 @router.post("/{plan_id}/cancel", status_code=202, response_model=PlanShown)
@@ -117,7 +117,7 @@ def cancel_plan(plan_id: str, parts: Using) -> Response:
             raise Conflict(f"the plan is {row.status} already")
         row.cancel_requested = True
         session.flush()
-        return _json(_shown(session, row), 202)
+        return written(_shown(session, row), 202)
 
 
 def _must_be_runnable(row: PlanRow) -> None:
@@ -134,11 +134,4 @@ def _shown(session: Session, row: PlanRow) -> PlanShown:
 def _accepted(parts: Parts, row: PlanRow) -> Response:
     with parts.database.reading() as session:
         shown = _shown(session, row)
-    return _json(shown, 202, {"Location": f"/plans/{row.id}"})
-
-
-def _json(
-    shown: PlanShown | ExecutionShown, status: int = 200, headers: dict[str, str] | None = None
-) -> Response:
-    """Written once: a response model would be checked and written a second time."""
-    return Response(shown.model_dump_json(), status, headers, media_type="application/json")
+    return written(shown, 202, {"Location": f"/plans/{row.id}"})

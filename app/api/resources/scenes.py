@@ -2,7 +2,7 @@
 
 from fastapi import APIRouter, Response
 
-from app.api.paging import Cursor, Limit, position
+from app.api.paging import Cursor, Limit, part, position
 from app.api.parts import Using
 from app.api.schemas.base import Page, Seed
 from app.api.schemas.scenes import SceneGiven, SceneStored, SceneValidated
@@ -32,12 +32,11 @@ def validate_scene(given: SceneGiven, seed: Seed = 0) -> SceneValidated:
 
 
 @router.get("", response_model=Page)
-def list_scenes(parts: Using, limit: Limit = 20, cursor: Cursor = None) -> Page:
+def list_scenes(parts: Using, limit: Limit = 20, cursor: Cursor = None) -> Response:
     """Scenes, newest first."""
     with parts.database.reading() as session:
         rows = scenes.page(session, before=position(cursor), limit=limit + 1)
-    items = [_shown(row).model_dump(mode="json") for row in rows[:limit]]
-    return Page(items=items, next=str(rows[limit - 1].serial) if len(rows) > limit else None)
+    return part(rows, limit, _shown)
 
 
 @router.get("/{scene_id}")

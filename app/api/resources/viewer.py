@@ -11,9 +11,10 @@ import viser
 from fastapi import APIRouter, Depends, Request, WebSocket, WebSocketDisconnect
 from fastapi.concurrency import run_in_threadpool
 from fastapi.requests import HTTPConnection
-from fastapi.responses import FileResponse, HTMLResponse, RedirectResponse
+from fastapi.responses import FileResponse, HTMLResponse, RedirectResponse, Response
 from pydantic import BaseModel, Field, ValidationError
 
+from app.api.standing_page import StandingPage
 from app.domain.errors import Conflict, NotThere
 from app.view.screening import Screening
 from app.view.viewer import PROTOCOL, Viewer, projection
@@ -66,21 +67,21 @@ def add_slash(request: Request) -> RedirectResponse:
 def watch(execution_id: str, viewer: Shown) -> FileResponse:
     """The 3D view of an execution and its controls: live while it runs, then a replay."""
     viewer.find(execution_id)
-    return FileResponse(ALONE)
+    return FileResponse(ALONE, headers={"Cache-Control": "no-cache"})
 
 
 @router.get("/{execution_id}/{token}/", response_class=HTMLResponse, include_in_schema=False)
-def watch_beside_page(execution_id: str, token: str, viewer: Shown) -> HTMLResponse:
+def watch_beside_page(request: Request, execution_id: str, token: str, viewer: Shown) -> Response:
     """Viser's client without controls, for a page that has the playhead of this token."""
     del token  # Unused: the client finds its WebSocket by its own address.
     viewer.find(execution_id)
-    return HTMLResponse(_client_html())
+    return _client().answer(request)
 
 
 @cache
-def _client_html() -> str:
+def _client() -> StandingPage:
     html = (Path(viser.__file__).parent / "client" / "build" / "index.html").read_text()
-    return html.replace("</head>", BARE + "</head>", 1)
+    return StandingPage(html.replace("</head>", BARE + "</head>", 1))
 
 
 @router.websocket("/{execution_id}/{token}")

@@ -251,6 +251,7 @@ class ExecutionGiven(Given):
     line: int | None = Field(
         default=None,
         ge=1,
+        le=MAX_PROGRAM,
         description="With `after`: the line of the program before which the state is taken over, "
         "and from which the program runs.",
     )
