@@ -238,8 +238,8 @@ class Actor:
             return nouns.thing()
         noun = self.words.choose(lists[names[kind]])
         if self.words.chance(0.12):
-            noun = f"{nouns.adjective()} {noun}"
-        return nouns.with_article(noun)
+            noun = f"{nouns.names.adjective()} {noun}"
+        return nouns.names.with_article(noun)
 
     def number(self) -> Said:
         """As it is said and as it is written in a call."""
@@ -301,9 +301,9 @@ def around(actor: Actor) -> tuple[str, list[Step], bool]:
     kind = words.rng.choice(list(AROUND))
     what = composer.nouns.movable()
     noun = words.choose(words.lists["speech"]["openables"][:20])
-    where = composer.nouns.placed(composer.nouns.holder_named(noun), "in")
+    where = composer.nouns.holders.placed(composer.nouns.holders.named(noun), "in")
     if "all(" in where.arguments[0]:
-        where = composer.nouns.placed(one(f"the {noun}", noun), "in")
+        where = composer.nouns.holders.placed(one(f"the {noun}", noun), "in")
     steps: list[Step] = []
     for part in kind.split():
         concept = part.upper()

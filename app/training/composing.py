@@ -6,9 +6,11 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from app.domain.program import literal
-from app.training.nouns import NUMBERS, Nouns
+from app.training.nouns import Nouns
+from app.training.numbers import SPOKEN, number
 from app.training.robots import PUT, STACK
 from app.training.said import Said, arguments, fill, one
+from app.training.sets import class_said
 from app.training.words import ThingClass, Words
 
 if TYPE_CHECKING:
@@ -39,16 +41,16 @@ class Composer:
     def slot(self, kind: str, classes: dict[str, ThingClass]) -> Said:
         """What a construction's slot of this kind is filled with."""
         if kind.startswith("member:"):
-            return self.nouns.member(classes[kind.removeprefix("member:")])
+            return self.nouns.leaving.member(classes[kind.removeprefix("member:")])
         makers: dict[str, Callable[[], Said]] = {
             "thing": self.nouns.thing,
             "movable": self.nouns.movable,
             "holder": self.nouns.holder,
-            "number": self.nouns.number,
-            "members": self.nouns.left_out,
+            "number": lambda: number(self.words),
+            "members": self.nouns.leaving.left_out,
             "indirect": self._wish,
-            "mass": self.nouns.mass_named,
-            "box": self.nouns.box,
+            "mass": self.nouns.sets.mass,
+            "box": self.nouns.holders.box,
             "injection": self._injection,
         }
         return makers[kind]()
@@ -59,8 +61,8 @@ class Composer:
         classes: dict[str, ThingClass] = {}
         for name, kind in kinds.items():
             if kind == "class":
-                classes[name] = self.nouns.kind()
-                made[name] = self.nouns.class_said(classes[name])
+                classes[name] = self.nouns.sets.kind()
+                made[name] = class_said(classes[name])
         for name, kind in kinds.items():
             if kind != "class":
                 made[name] = self.slot(kind, classes)
@@ -120,15 +122,14 @@ class Composer:
         nouns = self.nouns
         where = nouns.holder()
         if self.words.chance(0.4):
-            whole, phrase, left = nouns.everything(), "things", nouns.left_out()
+            whole, phrase, left = nouns.sets.everything(), "things", nouns.leaving.left_out()
         else:
-            found = nouns.kind()
-            shown = {"many": found.many, "one": found.one}
-            text = self.words.say("sets", "all").format(**shown)
+            found = nouns.sets.kind()
+            text = nouns.sets.told("all", found)
             whole = Said(
                 text, (), plural="every " not in text and "each " not in text and "any " not in text
             )
-            phrase, left = found.many, nouns.member(found)
+            phrase, left = found.many, nouns.leaving.member(found)
         order = self.words.chance(0.75)
         template = self.words.choose(
             self.words.lists["put"]["do" if order else "say"][: None if order else 40]
@@ -145,14 +146,14 @@ class Composer:
         """What stays is named, and the rest goes."""
         where = self.nouns.holder()
         if self.words.chance(0.6):
-            left = self.nouns.left_out()
+            left = self.nouns.leaving.left_out()
             argument = f"all('things', but={left.words})"
             text = fill(self.words.say("sets", "keep_only"), {"e": left, "h": where})
         else:
-            found = self.nouns.kind()
-            left = self.nouns.member(found)
+            found = self.nouns.sets.kind()
+            left = self.nouns.leaving.member(found)
             argument = f"all({literal(found.many)}, but={left.words})"
-            slots = {"e": left, "h": where, "s": self.nouns.class_said(found)}
+            slots = {"e": left, "h": where, "s": class_said(found)}
             text = fill(self.words.say("sets", "keep_class"), slots)
         return (
             text,
@@ -176,12 +177,12 @@ class Composer:
         phrase = self.words.say("sets", key).format(
             **{"in": preposition}, holder=holder, holders=many, property=spoken
         )
-        what = nouns.class_set() if self.words.chance(0.8) else nouns.everything()
+        what = nouns.sets.class_set() if self.words.chance(0.8) else nouns.sets.everything()
         argument = f"same({literal('colour' if spoken == 'color' else spoken)}, {literal(many)})"
         where = Said("", (argument,), forms={"in": phrase, "to": phrase, "to2": phrase}, kind=kind)
         if key == "same" and self.words.chance(0.2):
-            found = self.nouns.kind()
-            what = self.nouns.class_said(found)
+            found = self.nouns.sets.kind()
+            what = class_said(found)
             text = self.words.choose(SAME_SENTENCES).format(
                 many=found.many, one=found.one, holder=holder, holders=many, p=spoken
             )
@@ -199,14 +200,14 @@ class Composer:
         holder = self.words.choose(self.words.lists["words"]["containers"][kind])
         many = f"{holder}es" if holder.endswith(("x", "ch", "sh")) else f"{holder}s"
         if self.words.chance(0.3):
-            mark = self.nouns.adjective()
+            mark = self.nouns.names.adjective()
             holder, many = f"{mark} {holder}", f"{mark} {many}"
         preposition = self.rng.choice(
             ("in", "in", "into") if kind == "in" else ("on", "on", "onto")
         )
         shown = {"in": preposition, "holder": holder, "holders": many}
-        found = nouns.kind()
-        number = 1
+        found = nouns.sets.kind()
+        count = 1
         if self.words.chance(0.4):
             template = self.words.say("sets", "spread")
             what = self.rng.choice(
@@ -217,15 +218,15 @@ class Composer:
             text = template.format(x=what, **shown)
             order = text.split()[0] not in {"every", "each", "one"}
         else:
-            number = self.rng.choice((1, 1, 1, 2, 2, 3))
+            count = self.rng.choice((1, 1, 1, 2, 2, 3))
             first = (
                 self.rng.choice(("one", "a", "one", "a single", "exactly one", "1"))
-                if number == 1
-                else self.rng.choice((NUMBERS[number - 1], str(number)))
+                if count == 1
+                else self.rng.choice((SPOKEN[count - 1], str(count)))
             )
             if first == "a" and found.one[0] in "aeiou":
                 first = "an"
-            noun = found.one if number == 1 else found.many
+            noun = found.one if count == 1 else found.many
             text = self.words.say("sets", "one_each").format(n1=first, one1=noun, **shown)
             order = text.split()[0] in {
                 "put",
@@ -238,9 +239,9 @@ class Composer:
                 "set",
                 "serve",
             }
-        counted = f", count={number}" if number > 1 else ""
+        counted = f", count={count}" if count > 1 else ""
         where = Said("", (f"each({literal(many)}{counted})",), kind=kind)
-        return text, put_steps(nouns.class_said(found), where), order
+        return text, put_steps(class_said(found), where), order
 
     # Stacks
 
@@ -255,7 +256,7 @@ class Composer:
             "right_to_left",
             "any_order",
         ):
-            found = self.nouns.kind()
+            found = self.nouns.sets.kind()
             text = self.words.choose(bank[kind]).format(many=found.many, one=found.one)
             taken = "" if kind == "any_order" else f", order={literal(kind.replace('_', ' '))}"
             argument = f"all({literal(found.many)}{taken})"
@@ -283,7 +284,7 @@ class Composer:
         """What the tower is built of: often of one kind in different colours, by the colour alone."""
         draw = self.rng.random()
         if draw < 0.3:
-            return [self.nouns.with_article(self.nouns.noun()) for _ in range(count)]
+            return [self.nouns.names.with_article(self.nouns.names.noun()) for _ in range(count)]
         lists = self.words.lists["words"]
         noun = self.words.choose([*lists["variants"], "block", "block", "cube"])
         marks = (

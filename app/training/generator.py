@@ -266,7 +266,7 @@ def _near(robot: Robot, wanted: set[str]) -> bool:
 
 
 def _bare(composer: Composer) -> Said:
-    return composer.nouns.with_article(composer.nouns.noun())
+    return composer.nouns.names.with_article(composer.nouns.names.noun())
 
 
 def _dialogue(composer: Composer, robot: Robot) -> Draft:
@@ -275,7 +275,7 @@ def _dialogue(composer: Composer, robot: Robot) -> Draft:
     noun = x.forms["bare"].split()[-1]
     x = Said(x.text, x.arguments, x.words, forms={**x.forms, "other": literal(f"other {noun}")})
     if not h.arguments[0].startswith("'"):
-        h = composer.nouns.placed(composer.nouns.with_article("bowl"), "in")
+        h = composer.nouns.holders.placed(composer.nouns.names.with_article("bowl"), "in")
     slots = {"x": x, "h": h, "y": y, "k": k}
     robot.verbs = {PUT: robot.verbs[PUT]}
     template = composer.rng.choice(composer.words.lists["put"]["do"][:20])
@@ -289,7 +289,7 @@ def _dialogue(composer: Composer, robot: Robot) -> Draft:
 def _whole(composer: Composer, _robot: Robot) -> Draft:
     found = composer.words.choose(sentences())
     if composer.words.chance(0.6):
-        found = found.about(composer.nouns.noun)
+        found = found.about(composer.nouns.names.noun)
     text = found.text
     if composer.words.chance(0.3):
         text = text.lower().rstrip(".!")
