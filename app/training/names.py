@@ -87,6 +87,10 @@ class Names:
         before = self.rng.choices(("the ", "that ", "this ", ""), (84, 3, 3, 10))[0]
         return one(before + noun, noun, **forms)
 
+    def bare(self) -> Said:
+        """A thing by its noun alone, and its article."""
+        return self.with_article(self.noun())
+
     def any_of(self, noun: str) -> Said:
         """``any bowl``, ``one of the bowls``: whichever."""
         text = f"{self.rng.choice(('a', 'any', 'one of the', 'some'))} {noun}"
@@ -110,7 +114,7 @@ class Names:
 
     def related(self, noun: str, relations: Sequence[str]) -> Said:
         """By what it stands beside: ``the cup next to the plate``."""
-        other = self.with_article(self.noun())
+        other = self.bare()
         key = self.rng.choice(relations)
         place = self.words.say("speech", "relations", key).format(r=other.text)
         return Said(

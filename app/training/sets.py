@@ -113,7 +113,7 @@ class Sets:
 
     def _related(self, found: ThingClass) -> Said:
         key = self.rng.choice(list(self.words.lists["speech"]["relations"]))
-        other = self.names.with_article(self.names.noun())
+        other = self.names.bare()
         place = self.words.say("speech", "relations", key).format(r=other.text)
         if "closest" in place or "nearest" in place:
             place = f"near {other.text}"

@@ -73,7 +73,7 @@ class Things:
         """``the knife, the fork and the spoon``; or one noun in several colours."""
         number = self.rng.choice((2, 2, 2, 3, 3, 4))
         same = self.rng.random()
-        items = [self.names.with_article(self.names.noun()) for _ in range(number)]
+        items = [self.names.bare() for _ in range(number)]
         if same < 0.25:
             noun = self.names.noun()
             colours = self.rng.sample(self.words.lists["words"]["colours"], number)
