@@ -1,35 +1,24 @@
 """``progprompt eval``: measure planners and models on suites of tasks."""
 
-from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 import click
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, TextColumn
-from rich.progress import Progress as Bar
 
+from app.cli.attempts import EXISTING, FOLDER, finish, run
+from app.cli.paper_eval import paper
 from app.domain.errors import ProgPromptError
-from app.evaluation import paper
-from app.evaluation.attempt import Unit
 from app.evaluation.cells import make_cells
 from app.evaluation.comparison import compare
 from app.evaluation.household_data import Part, read_household
 from app.evaluation.linter import lint
 from app.evaluation.metrics import BY_NAME, METRICS
-from app.evaluation.results import Result, Verdict, read_results, write_result
-from app.evaluation.runs import RESULTS, Evaluation, OpenModels, Progress, evaluate_units
+from app.evaluation.results import Verdict, read_results, write_result
+from app.evaluation.runs import RESULTS, Evaluation
 from app.evaluation.suites import Suite, find_suite, read_suite, suites
-from app.evaluation.tables import markdown, tables, wrong
-from app.evaluation.writing import FILES, write_files
-from app.main.models import llm_config
-from app.settings import Settings
-from app.worker.models import Models
-
-Folder = click.Path(file_okay=False, path_type=Path)
-EXISTING = click.Path(exists=True, file_okay=False, path_type=Path)
+from app.evaluation.tables import markdown, tables
+from app.evaluation.writing import write_files
 
 
 class Suites(click.Group):
@@ -50,47 +39,7 @@ class Suites(click.Group):
 
 
 command = Suites("eval", help="Measure planners and models on a suite, shipped or in a file.")
-
-
-def open_models() -> OpenModels:
-    """What opens models in each process of an evaluation."""
-    settings = Settings.from_environment()
-    return partial(Models, llm_config(settings), settings.model)
-
-
-def run(units: Sequence[Unit], out: Path, jobs: int, seconds: float | None) -> list[Result]:
-    """Make all attempts under a bar that tells the time left; an interrupt leaves what is there.
-
-    Raises:
-        click.ClickException: the evaluation cannot be made, with the reason.
-    """
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
-    with Bar(*columns, TextColumn("{task.fields[left]}"), console=Console(stderr=True)) as bar:
-        shown = bar.add_task("evaluating", total=None, left="")
-
-        def tell(progress: Progress) -> bool:
-            left = (
-                "" if progress.seconds_left is None else f"{_minutes(progress.seconds_left)} left"
-            )
-            bar.update(shown, completed=progress.done, total=progress.total, left=left)
-            return False
-
-        try:
-            return evaluate_units(
-                units, open_models(), out, jobs=jobs, seconds=seconds, report=tell
-            )
-        except KeyboardInterrupt:
-            known = {result.key: result for result in read_results(out / RESULTS)}
-            return [known[unit.key] for unit in units if unit.key in known]
-        except ProgPromptError as error:
-            raise click.ClickException(str(error)) from error
-
-
-def finish(out: Path, results: Sequence[Result], total: int) -> None:
-    """Say what there is and where."""
-    if len(results) < total:
-        click.echo(f"{total - len(results)} of {total} attempts are left; run it again to go on.")
-    click.echo("\n".join(str(out / name) for name in FILES))
+command.add_command(paper)
 
 
 def _suite_command(name: str) -> click.Command:
@@ -98,7 +47,7 @@ def _suite_command(name: str) -> click.Command:
     @click.option("--planner", "planners", multiple=True, help="Several compare. [default: best]")
     @click.option("--model", "models", multiple=True, default=("default",), show_default=True)
     @click.option("--runs", default=1, show_default=True, type=click.IntRange(1, 100))
-    @click.option("--out", type=Folder, default=Path("evaluation"), show_default=True)
+    @click.option("--out", type=FOLDER, default=Path("evaluation"), show_default=True)
     @click.option("--seed", default=0, show_default=True, type=click.IntRange(0))
     @click.option("--examples", type=click.IntRange(0, 50), help="Programs shown in the prompt.")
     @click.option("--cue/--no-cue", default=None, help="Functions named after instructions.")
@@ -188,69 +137,6 @@ def read(name: str, household_data: Path | None = None, part: Part = "test") -> 
         raise click.ClickException(str(error)) from error
 
 
-@command.command("paper")
-@click.option(
-    "--household-data",
-    type=EXISTING,
-    help="Folder of the paper's tasks; without it our own homes stand in for them.",
-)
-@click.option("--out", type=Folder, default=Path("paper"), show_default=True)
-@click.option(
-    "--model",
-    "models",
-    multiple=True,
-    default=("default", "small"),
-    show_default=True,
-    help="Backbones; the first one carries the ablations, the baselines and the sweep.",
-)
-@click.option("--runs", default=1, show_default=True, type=click.IntRange(1, 100))
-@click.option("--temperature", default=0.0, show_default=True, type=click.FloatRange(0, 2))
-@click.option("--layouts", default=1, show_default=True, type=click.IntRange(1, 100))
-@click.option("--minutes", default=85.0, show_default=True, help="Begin nothing after so long.")
-@click.option("--quick", is_flag=True, help="A few tasks and methods only.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(1, 64))
-def measure_paper(
-    household_data: Path | None,
-    out: Path,
-    minutes: float,
-    jobs: int,
-    **chosen: Any,  # noqa: ANN401
-) -> None:
-    """The paper's four tables beside its printed figures, and the sweep over examples."""
-    own = household_data is None
-    try:
-        suite = _own_homes() if household_data is None else read_household(household_data)
-    except ProgPromptError as error:
-        raise click.ClickException(str(error)) from error
-    plan = paper.Plan(household=suite, own=own, **chosen)
-    units = paper.units(plan)
-    results = run(units, out, jobs, 60 * minutes)
-    found = paper.paper_tables(plan, results)
-    note = paper.NOTE if plan.temperature == 0 else ""
-    if own:
-        note = f"The household tasks are our own, not the paper's. {note}"
-    charts = paper.paper_charts(plan, results)
-    title = "ProgPrompt: the paper's tables"
-    write_files(out, title, [*found, wrong(results)], results, charts=charts, note=note)
-    click.echo(markdown(found))
-    finish(out, results, len({unit.key for unit in units}))
-
-
-def _own_homes() -> Suite:
-    """Ten tasks of each of our homes, evenly chosen of the half that is for measuring."""
-    every = find_suite("household")
-    tasks = [
-        task
-        for home in sorted({task.environment for task in every.tasks})
-        for task in replace(
-            every, tasks=tuple(t for t in every.tasks if t.environment == home and t.goal)
-        )
-        .chosen(split="test", limit=10)
-        .tasks
-    ]
-    return replace(every, tasks=tuple(tasks))
-
-
 @command.command("compare")
 @click.argument("first", type=EXISTING)
 @click.argument("second", type=EXISTING)
@@ -292,7 +178,3 @@ def give_verdict(folder: Path, key: str, success: bool, note: str) -> None:
     judged = replace(results[key], verdict=Verdict(success=success, note=note))
     with (folder / RESULTS).open("a", encoding="utf-8") as file:
         write_result(file, judged)
-
-
-def _minutes(seconds: float) -> str:
-    return f"{seconds / 60:.0f} min" if seconds >= 90 else f"{seconds:.0f} s"

@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 
 from app.domain.program import literal
-from app.training.acting import Actor
-from app.training.composing import Step
+from app.training.actor import Actor
+from app.training.everyday import plain
 from app.training.said import Said, fill
+from app.training.steps import Clause, Step
 
 SECOND = 0.35
 """How often a joined verb has a second object."""
@@ -27,7 +28,7 @@ class Spoken:
         return template
 
 
-def chain(actor: Actor) -> tuple[str, list[Step], bool]:
+def chain(actor: Actor) -> Clause:
     """Two verbs in one sentence."""
     draw = actor.rng.random()
     if draw < SECOND:
@@ -58,7 +59,7 @@ def _several(template: str, verb: Spoken, x: Said, y: Said) -> list[Step]:
     return [step for said in ((y, x) if turned else (x, y)) for step in _steps(verb, said)]
 
 
-def _given(actor: Actor) -> tuple[str, list[Step], bool]:
+def _given(actor: Actor) -> Clause:
     """One verb, and then one with a second object: "rinse the cup and dry it with the towel"."""
     first = _spoken(actor)
     stem, preposition, role = actor.words.say("verbs", "pair").split("|")
@@ -68,7 +69,7 @@ def _given(actor: Actor) -> tuple[str, list[Step], bool]:
     pairs = ["x:" + actor.rng.choice(("obj", "item", "thing", "what")), f"y:{role}"]
     name = actor.rng.choice((stem, f"{stem}_{preposition.replace(' ', '_')}"))
     if not actor.robot.add(concept, f"{name}({', '.join(pairs[::-1] if swapped else pairs)})"):
-        return actor.plain()
+        return plain(actor)
     template = actor.words.say("verbs", "chains", "given")
     told_first = template.startswith("{p}")
     if told_first:
@@ -96,13 +97,13 @@ def _steps(verb: Spoken, said: Said) -> list[Step]:
     return [Step(verb.concept, {"x": each}) for each in said.arguments]
 
 
-def quoted(actor: Actor) -> tuple[str, list[Step], bool]:
+def quoted(actor: Actor) -> Clause:
     """A verb that takes a word of its own beside the thing: ``cut('bread', 'crosswise')``."""
     entry = actor.words.say("verbs", "worded")
     word = actor.words.choose(entry["words"])
     concept = f"worded {entry['name']}"
     if not actor.robot.add(concept, actor.words.choose(entry["names"])):
-        return actor.plain()
+        return plain(actor)
     x = actor.nouns.thing()
     slots = {"x": x, "w": Said(word, (literal(word),))}
     text = fill(actor.words.choose(entry["say"]), slots)

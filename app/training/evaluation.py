@@ -19,8 +19,9 @@ from app.evaluation.intervals import wilson
 from app.programs.sketch_grammar import sketch_grammar
 from app.programs.sketch_parser import parse_sketch
 from app.programs.sketch_prompt import STOP
+from app.training.example import Example
 from app.training.executor import outcome
-from app.training.generator import Example, generate
+from app.training.generator import generate
 from app.training.suites import Item
 
 HELD_SEED = 7

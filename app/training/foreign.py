@@ -1,8 +1,8 @@
 """The same in German, French, Spanish, Italian, Portuguese, Dutch and Chinese: sketches stay English."""
 
 from app.domain.program import literal
-from app.training.composing import Step
 from app.training.robots import PUT, STACK
+from app.training.steps import Step
 from app.training.words import Words
 
 OPEN, CLOSE = "OPEN", "CLOSE"

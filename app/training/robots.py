@@ -133,6 +133,12 @@ def distract(words: Words, robot: Robot, count: int, avoid: Sequence[str] = ()) 
                     robot.add(concept, variant)
 
 
+def equip(words: Words, robot: Robot, concept: str) -> None:
+    """A verb for the concept, unless the robot has one."""
+    while not robot.can(concept):
+        robot.add(concept, words.choose(words.lists["verbs"]["concepts"][concept]["names"]))
+
+
 NEAR = (
     {"PUSH", "PUSH1", "PUSHTO"},
     {"WIPE", "WIPEWITH", "plain wash", "plain dust"},

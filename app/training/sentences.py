@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 
 from app.domain.program import literal
-from app.training.composing import Step
+from app.training.steps import Step
 from app.training.words import FOLDER, plural
 
 FILE = FOLDER / "sentences.txt"

@@ -10,7 +10,8 @@ from random import Random
 import numpy as np
 import torch  # pyright: ignore[reportMissingImports]
 
-from app.training.generator import Example, generate
+from app.training.example import Example
+from app.training.generator import generate
 from app.training.network import Network, Pair
 
 WARM_UP = 20

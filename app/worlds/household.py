@@ -2,15 +2,13 @@
 
 import json
 import random
-import re
-from collections.abc import Iterable, Iterator
-from functools import lru_cache
+from collections.abc import Iterator
 from pathlib import Path
 
 import mujoco
 
 from app.domain.condition import Relation
-from app.domain.errors import ActionFailure, Fault, SceneRefused, UnknownName
+from app.domain.errors import Fault, SceneRefused, UnknownName
 from app.domain.perception import Perception
 from app.domain.program import Argument
 from app.domain.scene import Scene
@@ -19,16 +17,15 @@ from app.domain.world import ObjectKind, Stage
 from app.worlds import worlds
 from app.worlds.actions.household import actions as primitives
 from app.worlds.simulators.household_agent import HouseholdAgent
-from app.worlds.simulators.household_document import Document, read_graph
 from app.worlds.simulators.household_facts import RELATIONS, facts, holds
 from app.worlds.simulators.household_film import HouseholdFilm
 from app.worlds.simulators.household_graph import AGENT, HouseholdGraph
+from app.worlds.simulators.household_homes import FIRST, SHIPPED, HouseholdHomes
 from app.worlds.simulators.household_instances import Instances
 from app.worlds.simulators.household_model import HomeModel
 from app.worlds.simulators.household_states import derive
-from app.worlds.simulators.household_things import kind, things
+from app.worlds.simulators.household_things import things
 
-SHIPPED = Path(__file__).resolve().parents[2] / "static" / "homes"
 PAPER = (
     "find", "walk", "grab", "putin", "putback", "open", "close", "switchon", "switchoff",
     "sit", "standup",
@@ -37,7 +34,6 @@ PAPER = (
 _KNOWN = Perception(source="privileged")
 _TICK = 0.2
 """So much of the film passes between two looks at the world [s]."""
-_LINE = re.compile(r"\[(\w+)\]|\((\d+)\)")
 
 
 @worlds.register("household")
@@ -57,8 +53,7 @@ class Household:
     robots = ()
 
     def __init__(self) -> None:
-        self.folder = SHIPPED
-        """Where the environments are: one JSON file each."""
+        self._homes = HouseholdHomes()
 
     def homes(self, folder: Path | None) -> None:
         """Take the environments from this folder, or with None those that ship with the product.
@@ -66,23 +61,17 @@ class Household:
         Raises:
             UnknownName: the folder holds no environment.
         """
-        self.folder = folder or SHIPPED
+        self._homes = HouseholdHomes(folder or SHIPPED)
         if not self.environments():
-            raise UnknownName("folder of homes", str(self.folder), [str(SHIPPED)])
+            raise UnknownName("folder of homes", str(self._homes.folder), [str(SHIPPED)])
 
     def environments(self) -> tuple[str, ...]:
         """The names that ``environment`` of a scene may have."""
-        return tuple(sorted(file.stem for file in self.folder.glob("env*.json")))
+        return self._homes.names()
 
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """Every class of thing in any of the homes, with its bounding box."""
-        found: dict[str, ObjectKind] = {}
-        for environment in self.environments():
-            graph = read_graph(_document(self.folder / f"{environment}.json"))
-            for node in graph.nodes.values():
-                if node.name not in found and node is not graph.agent:
-                    found[node.name] = kind(node)
-        return tuple(found[name] for name in sorted(found))
+        return self._homes.catalogue()
 
     def complete(self, scene: Scene, seed: int) -> Scene:
         """The scene with its environment named and all its classes of things listed.
@@ -110,7 +99,7 @@ class Household:
         if faults:
             raise SceneRefused(*faults)
         chosen = [described[item.name] for item in scene.objects] or described.values()
-        environment = None if scene.graph is not None else scene.environment or "env0"
+        environment = None if scene.graph is not None else scene.environment or FIRST
         return Scene(
             world=scene.world,
             objects=tuple(chosen),
@@ -126,16 +115,7 @@ class Household:
         Raises:
             SceneRefused: it names no home, or its own graph is none.
         """
-        if scene.graph is not None:
-            if scene.environment is not None:
-                message = "is given beside a graph; give one of the two"
-                raise SceneRefused(Fault(field="scene.environment", message=message))
-            return read_graph(json.loads(scene.graph))
-        name = scene.environment or "env0"
-        if name not in self.environments():
-            message = f"there is no home {name[:80]!r}; there is: {', '.join(self.environments())}"
-            raise SceneRefused(Fault(field="scene.environment", message=message))
-        return read_graph(_document(self.folder / f"{name}.json"), field="scene.environment")
+        return self._homes.graph(scene)
 
     def open(self, scene: Scene, seed: int, perception: Perception = _KNOWN) -> "HouseholdWorld":
         """A world with this scene in it, and with frames of what it looks like."""
@@ -255,29 +235,3 @@ def compile_model(scene: Scene) -> mujoco.MjModel:
     household = worlds["household"]
     assert isinstance(household, Household)
     return HomeModel(household.graph(scene)).compile()
-
-
-def replay(graph: HouseholdGraph, lines: Iterable[str], *, official: bool = True) -> int:
-    """Carry out recorded lines, ``[putin] <apple> (438) <fridge> (305)``; how many could be.
-
-    The instances are those of the lines; a line that cannot be carried out changes nothing.
-    """
-    agent = HouseholdAgent(graph, official=official)
-    done = 0
-    derive(graph, official=official)
-    for line in lines:
-        verb, *ids = (verb or identifier for verb, identifier in _LINE.findall(line))
-        chosen = [graph.nodes[int(each)] for each in ids]
-        try:
-            primitives[verb].check(agent, *chosen)
-        except ActionFailure:
-            continue
-        primitives[verb].apply(agent, *chosen)
-        derive(graph, official=official)
-        done += 1
-    return done
-
-
-@lru_cache(maxsize=8)
-def _document(file: Path) -> Document:
-    return json.loads(file.read_text(encoding="utf-8"))

@@ -2,11 +2,11 @@ from random import Random
 
 from app.programs.activities import load_activities
 from app.programs.sketch_parser import parse_sketch
-from app.training.acting import Actor
+from app.training.actor import Actor
 from app.training.chaining import chain
 from app.training.chores import Chores
-from app.training.composing import Composer
 from app.training.describing import described
+from app.training.nouns import Nouns
 from app.training.robots import Robot
 from app.training.words import Words, load_lists
 
@@ -35,7 +35,7 @@ def test_verbs_in_a_chain_are_done_in_the_order_they_are_meant_in():
     seen = set()
     for number in range(2000):
         words = Words(Random(number), "train")
-        text, steps, _ = chain(Actor(Composer(words), Robot(words.rng)))
+        text, steps, _ = chain(Actor(Nouns(words), Robot(words.rng)))
         if text.startswith("before you ") and len(steps) == 2:
             late, early = (step.concept.partition(" ")[2] for step in reversed(steps))
             said = text.replace(",", "")

@@ -12,8 +12,10 @@ from app.domain.scene import Scene, SceneObject
 from app.programs.sketch import Decline, Phrase, SketchCall
 from app.programs.sketch_parser import parse_sketch
 from app.programs.sketch_resolver import resolve
+from app.training.example import Example
 from app.training.executor import Outcome, run
-from app.training.generator import WEIGHTS, Example, generate
+from app.training.generator import generate
+from app.training.kinds import KINDS
 from app.training.words import is_held, load_lists, plural, singular
 
 
@@ -30,7 +32,7 @@ def test_the_same_seed_gives_the_same_sentences_from_any_place_on() -> None:
 @pytest.mark.parametrize("split", ["train", "held"])
 def test_every_kind_of_sentence_is_made_and_its_sketch_fits_its_import_line(split) -> None:
     made = some(split, 400)
-    assert {example.kind for example in made} == {*WEIGHTS, "typo"}
+    assert {example.kind for example in made} == {*KINDS, "typo"}
     for example in made:
         offered = {action.name: len(action.parameters) for action in example.actions}
         for call in parse_sketch(example.target).body:

@@ -1,8 +1,6 @@
 """HouseholdFilm: what a rollout in a home looks like, moment by moment."""
 
 import math
-from bisect import bisect_left
-from collections import deque
 from collections.abc import Sequence
 
 import numpy as np
@@ -12,9 +10,9 @@ from app.worlds.simulators.household_agent import HouseholdAgent
 from app.worlds.simulators.household_graph import Node
 from app.worlds.simulators.household_layout import Point, Solid
 from app.worlds.simulators.household_model import HomeModel
+from app.worlds.simulators.household_reel import HouseholdReel
+from app.worlds.simulators.household_route import Spot, doors_between
 
-RATE = 10.0
-"""Frames a second [1/s]."""
 PACE = 1.5
 """How fast the agent walks [m/s]."""
 TURN, MOMENT = 0.3, 0.6
@@ -28,7 +26,7 @@ AJAR = 1.75
 
 
 class HouseholdFilm:
-    """Keys of time and coordinates in the home's metres; between them everything goes evenly."""
+    """Where the agent and the things are in the home's metres, and the reel that keeps it."""
 
     def __init__(self, agent: HouseholdAgent, model: HomeModel) -> None:
         """Begin with the home as it stands."""
@@ -40,25 +38,25 @@ class HouseholdFilm:
         for node in agent.held:
             self._update(node)
         self._show_states((*model.openable, *model.switchable))
-        self.time = 0.0
+        self._reel = HouseholdReel(self._now, model.units)
+
+    @property
+    def time(self) -> float:
         """When the last key is [s]."""
-        self._keys: deque[tuple[float, np.ndarray]] = deque([(0.0, self._now.copy())])
-        self._next = 0.0
+        return self._reel.time
 
     def rewind(self) -> None:
         """Call it time 0."""
-        self.time = self._next = 0.0
-        self._keys = deque([(0.0, self._now.copy())])
+        self._reel.rewind(self._now)
 
     def save(self) -> list[float]:
         """Time, the next frame's time, and coordinates as they are."""
-        return [self.time, self._next, *self._now.tolist()]
+        return [self.time, self._reel.next, *self._now.tolist()]
 
     def restore(self, saved: Sequence[float]) -> None:
         """Take up what ``save`` gave."""
-        self.time, self._next = saved[:2]
         self._now = np.array(saved[2:])
-        self._keys = deque([(self.time, self._now.copy())])
+        self._reel.rewind(self._now, *saved[:2])
 
     def catch_up(self) -> None:
         """Show the graph as it is now, whatever came before."""
@@ -85,25 +83,10 @@ class HouseholdFilm:
 
     def frames(self, until: float) -> tuple[Frame, ...]:
         """The frames not yet given up to a time [s]."""
-        found: list[Frame] = []
-        times = [time for time, _ in self._keys]
-        while self._next <= until + 1e-9:
-            found.append(Frame(time=round(self._next, 6), positions=self._at(times, self._next)))
-            self._next += 1 / RATE
-        while len(self._keys) > 1 and self._keys[1][0] < self._next:
-            self._keys.popleft()
-        return tuple(found)
-
-    def _at(self, times: list[float], moment: float) -> tuple[float, ...]:
-        after = min(bisect_left(times, moment), len(times) - 1)
-        (begun, one), (ended, other) = self._keys[max(after - 1, 0)], self._keys[after]
-        share = (moment - begun) / (ended - begun) if ended > begun else 1.0
-        mixed = one + min(max(share, 0.0), 1.0) * (other - one)
-        return tuple((mixed * self._model.units).tolist())
+        return self._reel.frames(until)
 
     def _key(self, seconds: float) -> None:
-        self.time = round(self.time + seconds, 6)
-        self._keys.append((self.time, self._now.copy()))
+        self._reel.add(seconds, self._now)
 
     def _go(self, target: Node) -> None:
         """Walk to where the target can be reached, through the doors on the way, and face it."""
@@ -118,8 +101,8 @@ class HouseholdFilm:
             x, y, _ = self._solid(target).centre
             self._turn(math.atan2(y - self._now[1], x - self._now[0]))
 
-    def _walk(self, here: tuple[float, float], spot: tuple[float, float]) -> None:
-        for point in (*self._doors(here, spot), spot):
+    def _walk(self, here: Spot, spot: Spot) -> None:
+        for point in (*doors_between(self._layout, here, spot), spot):
             here = (float(self._now[0]), float(self._now[1]))
             far = math.dist(here, point)
             if far < 0.05:
@@ -137,7 +120,7 @@ class HouseholdFilm:
             self._hold()
             self._key(TURN)
 
-    def _beside(self, target: Node) -> tuple[float, float]:
+    def _beside(self, target: Node) -> Spot:
         """Where the agent stands to work at the target, on the side of the room's middle."""
         if target.is_room:
             x, y, _ = self._layout.solids[target.id].centre
@@ -172,35 +155,6 @@ class HouseholdFilm:
             return solid
         x, y, z = (solid.centre[k] + float(self._now[at + k]) for k in range(3))
         return Solid((x, y, z), solid.size)
-
-    def _doors(
-        self, here: tuple[float, float], there: tuple[float, float]
-    ) -> list[tuple[float, float]]:
-        """The middles of the doors from one point to the other, the fewest there are."""
-        start, end = self._room_at(here), self._room_at(there)
-        came: dict[int, tuple[int, tuple[float, float]]] = {}
-        waiting = deque([start])
-        while waiting and end not in came and start != end:
-            room = waiting.popleft()
-            for door in self._layout.doors:
-                ends = self._agent.graph.ids(door, "BETWEEN")
-                for other in ends - {room} if room in ends else ():
-                    if other not in came and other != start:
-                        x, y, _ = self._layout.solids[door.id].centre
-                        came[other] = (room, (x, y))
-                        waiting.append(other)
-        path: list[tuple[float, float]] = []
-        while end != start and end in came:
-            end, door_place = came[end]
-            path.insert(0, door_place)
-        return path
-
-    def _room_at(self, point: tuple[float, float]) -> int:
-        for room in self._layout.rooms:
-            solid = self._layout.solids[room.id]
-            if all(abs(point[k] - solid.centre[k]) <= solid.size[k] / 2 for k in (0, 1)):
-                return room.id
-        return self._layout.rooms[0].id
 
     def _update(self, node: Node) -> None:
         """Bring a thing to where the graph has it, with all that is in and on it."""

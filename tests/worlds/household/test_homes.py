@@ -3,9 +3,9 @@ from collections import Counter
 
 import pytest
 
-from app.worlds.household import SHIPPED
 from app.worlds.simulators.household_document import read_graph
 from app.worlds.simulators.household_graph import BUILT_CATEGORIES
+from app.worlds.simulators.household_homes import SHIPPED
 
 HOMES = sorted(SHIPPED.glob("*.json"))
 

@@ -6,9 +6,10 @@ import pytest
 from app.domain.condition import Relation
 from app.domain.errors import ActionFailure, SceneRefused, UnknownName
 from app.domain.scene import Scene, SceneObject
-from app.worlds.household import SHIPPED, replay
+from app.worlds.actions.household_recording import replay
 from app.worlds.simulators.household_document import read_graph
 from app.worlds.simulators.household_goals import goal_conditions, goal_facts, recall
+from app.worlds.simulators.household_homes import SHIPPED
 
 
 def faults(household, scene):

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from app.worlds.household import replay
+from app.worlds.actions.household_recording import replay
 from app.worlds.simulators.household_document import read_graph
 from app.worlds.simulators.household_goals import goal_facts
 

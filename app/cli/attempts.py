@@ -1,0 +1,67 @@
+"""The attempts of an evaluation, made under a bar that tells the time left."""
+
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+import click
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, TextColumn
+from rich.progress import Progress as Bar
+
+from app.domain.errors import ProgPromptError
+from app.evaluation.attempt import Unit
+from app.evaluation.results import Result, read_results
+from app.evaluation.runs import RESULTS, OpenModels, Progress, evaluate_units
+from app.evaluation.writing import FILES
+from app.main.models import llm_config
+from app.settings import Settings
+from app.worker.models import Models
+
+FOLDER = click.Path(file_okay=False, path_type=Path)
+EXISTING = click.Path(exists=True, file_okay=False, path_type=Path)
+
+
+def open_models() -> OpenModels:
+    """What opens models in each process of an evaluation."""
+    settings = Settings.from_environment()
+    return partial(Models, llm_config(settings), settings.model)
+
+
+def run(units: Sequence[Unit], out: Path, jobs: int, seconds: float | None) -> list[Result]:
+    """Make all attempts under a bar that tells the time left; an interrupt leaves what is there.
+
+    Raises:
+        click.ClickException: the evaluation cannot be made, with the reason.
+    """
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn())
+    with Bar(*columns, TextColumn("{task.fields[left]}"), console=Console(stderr=True)) as bar:
+        shown = bar.add_task("evaluating", total=None, left="")
+
+        def tell(progress: Progress) -> bool:
+            left = (
+                "" if progress.seconds_left is None else f"{_minutes(progress.seconds_left)} left"
+            )
+            bar.update(shown, completed=progress.done, total=progress.total, left=left)
+            return False
+
+        try:
+            return evaluate_units(
+                units, open_models(), out, jobs=jobs, seconds=seconds, report=tell
+            )
+        except KeyboardInterrupt:
+            known = {result.key: result for result in read_results(out / RESULTS)}
+            return [known[unit.key] for unit in units if unit.key in known]
+        except ProgPromptError as error:
+            raise click.ClickException(str(error)) from error
+
+
+def finish(out: Path, results: Sequence[Result], total: int) -> None:
+    """Say what there is and where."""
+    if len(results) < total:
+        click.echo(f"{total - len(results)} of {total} attempts are left; run it again to go on.")
+    click.echo("\n".join(str(out / name) for name in FILES))
+
+
+def _minutes(seconds: float) -> str:
+    return f"{seconds / 60:.0f} min" if seconds >= 90 else f"{seconds:.0f} s"
