@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from app.cli.attempts import EXISTING, FOLDER, finish, run
+from app.cli.attempts import EXISTING, FOLDER, JOBS, finish, run
 from app.cli.paper_eval import paper
 from app.domain.errors import ProgPromptError
 from app.evaluation.cells import make_cells
@@ -77,7 +77,7 @@ def _suite_command(name: str) -> click.Command:
         show_default=True,
         help="Which of the paper's tasks.",
     )
-    @click.option("--jobs", default=1, show_default=True, type=click.IntRange(1, 64))
+    @click.option("--jobs", default=JOBS, show_default=True, type=click.IntRange(1, 64))
     def measure(  # noqa: PLR0913 - one parameter per option
         planners: tuple[str, ...],
         models: tuple[str, ...],

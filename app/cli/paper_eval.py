@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from app.cli.attempts import EXISTING, FOLDER, finish, run
+from app.cli.attempts import EXISTING, FOLDER, JOBS, finish, run
 from app.domain.errors import ProgPromptError
 from app.evaluation.household_data import read_household
 from app.evaluation.paper import NOTE, Plan, paper_charts, paper_tables
@@ -36,7 +36,7 @@ from app.evaluation.writing import write_files
 @click.option("--layouts", default=1, show_default=True, type=click.IntRange(1, 100))
 @click.option("--minutes", default=85.0, show_default=True, help="Begin nothing after so long.")
 @click.option("--quick", is_flag=True, help="A few tasks and methods only.")
-@click.option("--jobs", default=1, show_default=True, type=click.IntRange(1, 64))
+@click.option("--jobs", default=JOBS, show_default=True, type=click.IntRange(1, 64))
 def paper(
     household_data: Path | None,
     out: Path,
