@@ -1,16 +1,14 @@
 """``progprompt bench``: measure parts of the system on this machine."""
 
 import dataclasses
-import functools
 import json
-from collections.abc import Callable
-from typing import Literal
 
 import click
 from rich.console import Console
 from rich.progress import Progress
 
 from app.cli.api_bench import api
+from app.cli.bench_options import AS_JSON, SEED, seeing
 from app.cli.fuzz_bench import fuzz
 from app.cli.model_bench import model
 from app.cli.verb_benches import pairs, tower, verb
@@ -24,43 +22,19 @@ from app.main.models import llm_config
 from app.settings import Settings
 from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 
-Source = Literal["cameras", "privileged"]
 command = click.Group("bench", help="Measure parts of the system on this machine.")
 for each in (verb, tower, pairs, fuzz, api, model):
     command.add_command(each)
 
 
-def _seeing(function: Callable[..., None]) -> Callable[..., None]:
-    """The options that say how the robot sees, gathered into one argument ``perception``."""
-
-    @click.option(
-        "--perception",
-        "source",
-        default="cameras",
-        show_default=True,
-        type=click.Choice(["cameras", "privileged"]),
-        help="Depth cameras alone, or the simulator's geometry.",
-    )
-    @click.option("--noise", default=2.0, show_default=True, type=click.FloatRange(0, 20),
-                  help="Standard deviation of a camera's depth in millimetres.")  # fmt: skip
-    @click.option("--confusion", default=0.0, show_default=True, type=click.FloatRange(0, 1),
-                  help="Share of objects that are taken for another one.")  # fmt: skip
-    @functools.wraps(function)
-    def wrapped(source: Source, noise: float, confusion: float, **rest: object) -> None:
-        perception = Perception(source=source, noise=noise / 1000, confusion=confusion)
-        function(**rest, perception=perception)
-
-    return wrapped
-
-
 @command.command()
 @click.option("--episodes", default=50, show_default=True, type=click.IntRange(min=1))
-@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0))
+@SEED
 @click.option("--workers", default=1, show_default=True, type=click.IntRange(1, 64))
 @click.option("--robot", default=DEFAULT_ARM, show_default=True, type=click.Choice(list(arms)),
               help="The arm that picks.")  # fmt: skip
-@_seeing
-@click.option("--json", "as_json", is_flag=True, help="One JSON object on standard output.")
+@seeing
+@AS_JSON
 def pick(
     episodes: int, seed: int, workers: int, robot: str, perception: Perception, as_json: bool
 ) -> None:
@@ -83,8 +57,8 @@ def pick(
 @command.command()
 @click.option("--layouts", default=10, show_default=True, type=click.IntRange(min=1))
 @click.option("--model", default="default", show_default=True)
-@_seeing
-@click.option("--json", "as_json", is_flag=True, help="One JSON object on standard output.")
+@seeing
+@AS_JSON
 def robot(layouts: int, model: str, perception: Perception, as_json: bool) -> None:
     """The paper's four robot tasks with 0 to 4 distractors: SR, Plan SR, GCR and Exec."""
     settings = Settings.from_environment()
@@ -106,7 +80,7 @@ def robot(layouts: int, model: str, perception: Perception, as_json: bool) -> No
 
 @command.command()
 @click.option("--episodes", default=16, show_default=True, type=click.IntRange(min=1))
-@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0))
+@SEED
 @click.option("--workers", default=2, show_default=True, type=click.IntRange(1, 64))
 @click.option("--json", "as_json", is_flag=True, help="One JSON array on standard output.")
 def parallel(episodes: int, seed: int, workers: int, as_json: bool) -> None:
@@ -121,8 +95,8 @@ def parallel(episodes: int, seed: int, workers: int, as_json: bool) -> None:
 @command.command()
 @click.option("--objects", default=12, show_default=True, type=click.IntRange(1, 40))
 @click.option("--scenes", default=20, show_default=True, type=click.IntRange(min=1))
-@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0))
-@click.option("--json", "as_json", is_flag=True, help="One JSON object on standard output.")
+@SEED
+@AS_JSON
 def scene(objects: int, scenes: int, seed: int, as_json: bool) -> None:
     """Open random scenes: seconds of CPU from their names until everything stands ready."""
     report = bench_scene(objects, scenes, seed)

@@ -2,12 +2,13 @@
 
 import click
 
+from app.cli.bench_options import SEED
 from app.evaluation.fuzz import fuzz_programs
 
 
 @click.command()
 @click.option("--cases", default=100_000, show_default=True, type=click.IntRange(min=1))
-@click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0))
+@SEED
 def fuzz(cases: int, seed: int) -> None:
     """Parse, print and ground what nobody would write: only its own error may come of it."""
     report = fuzz_programs(cases, seed)

@@ -2,34 +2,25 @@
 
 import dataclasses
 import json
-from typing import Literal
 
 import click
 from rich.console import Console
 from rich.progress import Progress
 
+from app.cli.bench_options import AS_JSON, PERCEPTION, SEED, Source
 from app.domain.perception import Perception
 from app.evaluation.pairs import bench_pairs, every_pair
 from app.evaluation.tower import Tower, bench_tower
 from app.evaluation.verb import VerbReport, VerbTrial, bench_verb
 from app.evaluation.verb_cases import CASES
 
-Source = Literal["cameras", "privileged"]
-_perception = click.option(
-    "--perception", "source", default="cameras", show_default=True,
-    type=click.Choice(["cameras", "privileged"]),
-    help="Depth cameras alone, or the simulator's geometry.",
-)  # fmt: skip
-_seed = click.option("--seed", default=0, show_default=True, type=click.IntRange(min=0))
-_json = click.option("--json", "as_json", is_flag=True, help="One JSON object on standard output.")
-
 
 @click.command()
 @click.argument("name", type=click.Choice(sorted(CASES)))
 @click.option("--layouts", default=20, show_default=True, type=click.IntRange(min=1))
-@_seed
-@_perception
-@_json
+@SEED
+@PERCEPTION
+@AS_JSON
 def verb(name: str, layouts: int, seed: int, source: Source, as_json: bool) -> None:
     """One verb on random tables."""
     with Progress(console=Console(stderr=True)) as progress:
@@ -48,9 +39,9 @@ def verb(name: str, layouts: int, seed: int, source: Source, as_json: bool) -> N
 
 @click.command()
 @click.option("--towers", default=20, show_default=True, type=click.IntRange(min=1))
-@_seed
-@_perception
-@_json
+@SEED
+@PERCEPTION
+@AS_JSON
 def tower(towers: int, seed: int, source: Source, as_json: bool) -> None:
     """Five blocks stacked on one another."""
     with Progress(console=Console(stderr=True)) as progress:

@@ -1,7 +1,7 @@
 """Who decides whether an assertion holds, and which side of a branch is taken."""
 
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal, Protocol, TypeVar
 
 from app.domain.condition import Condition, Relation, decide, relations
 from app.domain.llm import CompletionRequest, LanguageModel
@@ -12,6 +12,8 @@ from app.programs.state_query import write_state_query
 
 MAX_TOKENS = 2
 STOP = ("\n",)
+Decided = TypeVar("Decided", AssertionChecked, BranchDecided)
+"""What a decision is told as."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,25 +116,24 @@ def state_check(
 
 def check(assertion: GroundedAssertion, world: World, decider: StateCheck) -> AssertionChecked:
     """The assertion, decided."""
-    verdict = decider.judge(assertion.condition, world)
-    return AssertionChecked(
-        line=assertion.line,
-        condition=assertion.condition,
-        holds=verdict.holds,
-        decider=decider.name,
-        by_world=verdict.by_world,
-        by_model=verdict.by_model,
-        agree=verdict.agree,
-        time=world.time,
-    )
+    return _decided(AssertionChecked, assertion, world, decider)
 
 
 def choose(branch: GroundedBranch, world: World, decider: StateCheck) -> BranchDecided:
     """The branch, decided."""
-    verdict = decider.judge(branch.condition, world)
-    return BranchDecided(
-        line=branch.line,
-        condition=branch.condition,
+    return _decided(BranchDecided, branch, world, decider)
+
+
+def _decided(
+    event: type[Decided],
+    asked: GroundedAssertion | GroundedBranch,
+    world: World,
+    decider: StateCheck,
+) -> Decided:
+    verdict = decider.judge(asked.condition, world)
+    return event(
+        line=asked.line,
+        condition=asked.condition,
         holds=verdict.holds,
         decider=decider.name,
         by_world=verdict.by_world,

@@ -1,11 +1,12 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
+from app.worlds.actions.household_unchanging import Unchanging
 from app.worlds.simulators.household_agent import HouseholdAgent, refuse
 from app.worlds.simulators.household_graph import Node
 
 
 @actions.register("cut")
-class Cut:
+class Cut(Unchanging):
     """Cut food with a knife that is held."""
 
     signature = ActionSignature(
@@ -26,6 +27,3 @@ class Cut:
                 agent.demand_held(grabbable[0])
             refuse("there is no knife to cut with")
         agent.demand_free_hand()
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.

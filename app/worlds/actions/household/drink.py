@@ -1,11 +1,12 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
+from app.worlds.actions.household_unchanging import Unchanging
 from app.worlds.simulators.household_agent import HouseholdAgent, refuse
 from app.worlds.simulators.household_graph import Node
 
 
 @actions.register("drink")
-class Drink:
+class Drink(Unchanging):
     """Drink it, or from it."""
 
     signature = ActionSignature(
@@ -19,6 +20,3 @@ class Drink:
         if not node.properties & {"DRINKABLE", "RECIPIENT"}:
             refuse(f"nobody can drink the {node} or from it")
         agent.demand_held(node)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.

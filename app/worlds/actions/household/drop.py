@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_releasing import Releasing
 
 
 @actions.register("drop")
-class Drop:
+class Drop(Releasing):
     """Let it fall where one stands."""
 
     signature = ActionSignature(
@@ -13,11 +12,3 @@ class Drop:
         parameters=(Parameter(name="obj"),),
         meaning="Drop obj, held in a hand.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.demand_held(node)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.let_go(node)

@@ -1,11 +1,12 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent, refuse
+from app.worlds.actions.household_walking import Walking
+from app.worlds.simulators.household_agent import HouseholdAgent
 from app.worlds.simulators.household_graph import Node
 
 
 @actions.register("find")
-class Find:
+class Find(Walking):
     """Be close to it: where it is near already, nobody walks."""
 
     signature = ActionSignature(
@@ -17,15 +18,12 @@ class Find:
     def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
         (node,) = nodes
         if not agent.is_close(node):
-            agent.demand_standing()
-            if agent.graph.room_of(node) is None:
-                refuse(f"there is no way to the {node}")
+            super().check(agent, *nodes)
 
     def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
         (node,) = nodes
-        room = agent.graph.room_of(node)
-        if agent.is_close(node) or room is None:
+        if agent.is_close(node):
             agent.graph.detach(agent.node, ("FACING",), both_ways=False)
             agent.graph.bring_close(agent.node, node)
         else:
-            agent.walk_to(node, room)
+            super().apply(agent, *nodes)

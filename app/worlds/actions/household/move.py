@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_nudging import Nudging
 
 
 @actions.register("move")
-class Move:
+class Move(Nudging):
     """Move it a little; it stays where it is as far as anybody can tell."""
 
     signature = ActionSignature(
@@ -13,14 +12,4 @@ class Move:
         parameters=(Parameter(name="obj", affordance="movable"),),
         meaning="Move obj.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        if node.name not in ("chair", "curtain"):
-            agent.demand_property(node, "MOVABLE", "move")
-        agent.demand_close(node)
-        agent.demand_reachable(node)
-        agent.demand_free_hand()
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.
+    verb = "move"

@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_switching import Switching
 
 
 @actions.register("plugout")
-class PlugOut:
+class PlugOut(Switching):
     """Plug it out."""
 
     signature = ActionSignature(
@@ -13,14 +12,6 @@ class PlugOut:
         parameters=(Parameter(name="obj", affordance="has_plug"),),
         meaning="Plug obj out.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.demand_property(node, "HAS_PLUG", "plug out")
-        agent.demand_close(node)
-        agent.demand_free_hand()
-        agent.demand_state(node, "PLUGGED_IN", verb="")
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.graph.change(node, "PLUGGED_IN", "PLUGGED_OUT")
+    needed, verb = "HAS_PLUG", "plug out"
+    before, after = "PLUGGED_IN", "PLUGGED_OUT"
+    needs_hand = True

@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_regarding import Regarding
 
 
 @actions.register("pointat")
-class PointAt:
+class PointAt(Regarding):
     """Point at what is faced."""
 
     signature = ActionSignature(
@@ -13,10 +12,3 @@ class PointAt:
         parameters=(Parameter(name="obj"),),
         meaning="Point at obj.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.demand_facing(node)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.

@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent, refuse
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_putting import Putting
 
 
 @actions.register("putin")
-class PutIn:
+class PutIn(Putting):
     """Let go of it inside something, which has to be open if it can be."""
 
     signature = ActionSignature(
@@ -16,16 +15,4 @@ class PutIn:
         ),
         meaning="Put obj1, held in a hand, into obj2.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        item, target = nodes
-        if target in agent.graph.contents(item):
-            refuse(f"the {target} is in or on the {item} itself")
-        agent.demand_held(item)
-        agent.demand_close(target)
-        if agent.afforded("INSIDE", target) == "INSIDE":
-            agent.demand_open(target)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        item, target = nodes
-        agent.put(item, "INSIDE", target)
+    relation = "INSIDE"

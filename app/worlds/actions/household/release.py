@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_releasing import Releasing
 
 
 @actions.register("release")
-class Release:
+class Release(Releasing):
     """Let go of it where one stands."""
 
     signature = ActionSignature(
@@ -13,11 +12,3 @@ class Release:
         parameters=(Parameter(name="obj"),),
         meaning="Let go of obj, held in a hand.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.demand_held(node)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.let_go(node)

@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_cleaning import Cleaning
 
 
 @actions.register("rinse")
-class Rinse:
+class Rinse(Cleaning):
     """Rinse it by hand: it is clean then."""
 
     signature = ActionSignature(
@@ -13,11 +12,3 @@ class Rinse:
         parameters=(Parameter(name="obj"),),
         meaning="Rinse obj.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.demand_close(node)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.graph.change(node, "DIRTY", "CLEAN")

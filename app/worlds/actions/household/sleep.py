@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent, refuse
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_resting import Resting
 
 
 @actions.register("sleep")
-class Sleep:
+class Sleep(Resting):
     """Sleep where one sits or lies."""
 
     signature = ActionSignature(
@@ -13,11 +12,3 @@ class Sleep:
         parameters=(),
         meaning="Sleep, sitting or lying.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del nodes
-        if not agent.seated:
-            refuse("the agent neither sits nor lies")
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.

@@ -1,5 +1,6 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
+from app.worlds.actions.household_unchanging import Unchanging
 from app.worlds.simulators.household_agent import HouseholdAgent
 from app.worlds.simulators.household_graph import Node
 
@@ -9,7 +10,7 @@ SOFT = frozenset(
 
 
 @actions.register("squeeze")
-class Squeeze:
+class Squeeze(Unchanging):
     """Squeeze something soft with a free hand."""
 
     signature = ActionSignature(
@@ -24,6 +25,3 @@ class Squeeze:
             agent.demand_property(node, "CLOTHES", "squeeze")
         agent.demand_close(node)
         agent.demand_free_hand()
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.

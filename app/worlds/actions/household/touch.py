@@ -1,11 +1,12 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
+from app.worlds.actions.household_unchanging import Unchanging
 from app.worlds.simulators.household_agent import HouseholdAgent
 from app.worlds.simulators.household_graph import Node
 
 
 @actions.register("touch")
-class Touch:
+class Touch(Unchanging):
     """Touch what is within reach."""
 
     signature = ActionSignature(
@@ -18,6 +19,3 @@ class Touch:
         (node,) = nodes
         agent.demand_close(node)
         agent.demand_reachable(node)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.

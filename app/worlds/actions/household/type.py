@@ -1,11 +1,12 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
+from app.worlds.actions.household_unchanging import Unchanging
 from app.worlds.simulators.household_agent import HouseholdAgent
 from app.worlds.simulators.household_graph import Node
 
 
 @actions.register("type")
-class Type:
+class Type(Unchanging):
     """Type on a keyboard or press keys of something switched."""
 
     signature = ActionSignature(
@@ -19,6 +20,3 @@ class Type:
         if node.name != "keyboard":
             agent.demand_property(node, "HAS_SWITCH", "type on")
         agent.demand_close(node)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.

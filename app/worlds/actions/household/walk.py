@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent, refuse
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_walking import Walking
 
 
 @actions.register("walk")
-class Walk:
+class Walk(Walking):
     """Go to a room or an object; doors are no obstacle."""
 
     signature = ActionSignature(
@@ -13,15 +12,3 @@ class Walk:
         parameters=(Parameter(name="obj"),),
         meaning="Walk to obj, an object or a room.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        agent.demand_standing()
-        (node,) = nodes
-        if agent.graph.room_of(node) is None:
-            refuse(f"there is no way to the {node}")
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        room = agent.graph.room_of(node)
-        assert room is not None  # checked
-        agent.walk_to(node, room)

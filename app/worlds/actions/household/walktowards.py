@@ -1,11 +1,10 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
-from app.worlds.simulators.household_agent import HouseholdAgent, refuse
-from app.worlds.simulators.household_graph import Node
+from app.worlds.actions.household_walking import Walking
 
 
 @actions.register("walktowards")
-class WalkTowards:
+class WalkTowards(Walking):
     """Go up to it."""
 
     signature = ActionSignature(
@@ -13,15 +12,3 @@ class WalkTowards:
         parameters=(Parameter(name="obj"),),
         meaning="Walk up to obj.",
     )
-
-    def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        agent.demand_standing()
-        (node,) = nodes
-        if agent.graph.room_of(node) is None:
-            refuse(f"there is no way to the {node}")
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        room = agent.graph.room_of(node)
-        assert room is not None  # checked
-        agent.walk_to(node, room)

@@ -1,11 +1,12 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
+from app.worlds.actions.household_unchanging import Unchanging
 from app.worlds.simulators.household_agent import HouseholdAgent
 from app.worlds.simulators.household_graph import Node
 
 
 @actions.register("watch")
-class Watch:
+class Watch(Unchanging):
     """Watch what is faced in the same room."""
 
     signature = ActionSignature(
@@ -20,6 +21,3 @@ class Watch:
         if agent.graph.room_of(node) is not agent.room():
             agent.demand_close(node)
         agent.demand_facing(node)
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        del agent, nodes  # Nothing changes.

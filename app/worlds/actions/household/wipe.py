@@ -1,11 +1,12 @@
 from app.domain.action import ActionSignature, Parameter
 from app.worlds.actions.household import actions
+from app.worlds.actions.household_cleaning import Cleaning
 from app.worlds.simulators.household_agent import HouseholdAgent, refuse
 from app.worlds.simulators.household_graph import Node
 
 
 @actions.register("wipe")
-class Wipe:
+class Wipe(Cleaning):
     """Wipe it with what is held: it is clean then."""
 
     signature = ActionSignature(
@@ -15,11 +16,6 @@ class Wipe:
     )
 
     def check(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.demand_close(node)
+        super().check(agent, *nodes)
         if not agent.held:
             refuse("there is nothing in the agent's hands to wipe with")
-
-    def apply(self, agent: HouseholdAgent, *nodes: Node) -> None:
-        (node,) = nodes
-        agent.graph.change(node, "DIRTY", "CLEAN")
