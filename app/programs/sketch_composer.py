@@ -22,7 +22,7 @@ from app.programs.sketch import (
 from app.programs.sketch_arguments import Arguments
 from app.programs.sketch_course import Course
 from app.programs.sketch_members import Members
-from app.programs.sketch_order import in_order
+from app.programs.sketch_order import in_order, told_apart
 from app.programs.sketch_pairs import for_each, pairs
 from app.programs.sketch_refusals import refuse_beside, refuse_harm
 from app.programs.sketch_selection import Selection
@@ -132,6 +132,7 @@ class Composer:
             message = f"{call.action} takes {len(signature.parameters)} arguments"
             raise ProgramRefused(Fault(field="program", message=message))
         refuse_beside(call, self._selection.sentence)
+        call = told_apart(call)
         call = righted(call, signature, self._selection.sentence)
         call = in_order(call, signature, self._selection.sentence)
         several = [i for i, each in enumerate(call.arguments) if self._several(each)]

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 
 from app.programs.knowledge.classes import VAGUE, normal
-from app.programs.knowledge.names import words
+from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.uses import uses
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch import Phrase
@@ -70,19 +70,17 @@ class Meaning:
         scores = self._likenesses(described, without)
         best = max((likely for likely, _ in scores), default=0.0)
         least = max(ALIKE, best - ALIKE_MARGIN)
-        return [(thing, COUNTS) for likely, thing in scores if likely >= least]
+        found = [(thing, COUNTS) for likely, thing in scores if likely >= least]
+        if found or not is_clause(described):
+            return found
+        return self._told_by(self._sentence, without)
 
     def wished(self, described: Description, without: Collection[str]) -> Fits:
         """What a clause tells of of which the words are a part: "what i use to look at the specimens"."""
         said = set(words(described.text))
         clauses = (match[0] for match in _WISH.finditer(self._sentence))
         clause = next((each for each in clauses if said <= set(words(each))), None)
-        free = [t for t in self._things if t.name not in without]
-        if clause is None or self._judge is None or len(free) < 2:
-            return []
-        scores = self._judge(clause, [(thing.name, *uses(thing.name)) for thing in free])
-        (second, _), (best, thing) = sorted(zip(scores, free, strict=True), key=lambda s: s[0])[-2:]
-        return [(thing, COUNTS)] if best >= max(SITUATED, second + LEAD) else []
+        return self._told_by(clause, without) if clause else []
 
     def _called_for(self, described: Description, without: Collection[str]) -> Fits:
         """What a situation calls for: "rain is forecast; pack what I will need"."""
@@ -92,9 +90,13 @@ class Meaning:
         clauses = re.split(r"[;:.,!?\u2014]+", self._sentence)
         beside = [each for each in clauses if not set(said[1:]) <= set(words(each))]
         told = " ".join(" ".join(beside).split())
-        named = {normal(each) for each in words(self._sentence)}
-        free = [t for t in self._things if t.name not in without and t.unmarked not in named]
-        if not told or len(free) < 2:
+        return self._told_by(told, without) if told else []
+
+    def _told_by(self, told: str, without: Collection[str]) -> Fits:
+        """The one thing that the words tell of before all others, if there is one."""
+        said = plain(self._sentence)
+        free = [t for t in self._things if t.name not in without and t.unmarked not in said]
+        if self._judge is None or len(free) < 2:
             return []
         scores = self._judge(told, [(thing.name, *uses(thing.name)) for thing in free])
         (second, _), (best, thing) = sorted(zip(scores, free, strict=True), key=lambda s: s[0])[-2:]
@@ -130,4 +132,5 @@ def is_clause(described: Description) -> bool:
     """Whether the words tell what a thing is for, and do not name it."""
     said = words(described.text)
     told = described.materials or described.colours or described.relations
-    return len(said) > 2 and not told and bool(_CLAUSE_WORDS & set(said[1:]))
+    begun = {each.partition("'")[0] for each in said[1:]}
+    return len(said) > 2 and not told and bool(_CLAUSE_WORDS & begun)

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 from app.domain.action import ActionSignature
 from app.programs.knowledge.names import stem, words
@@ -15,6 +16,20 @@ _PLACING = "into|onto|over|in|on|to|at|against|through|around|towards|toward|ins
 _BEFORE = (
     r"\b({})\s+(?:top of\s+)?(?:the\s+|an?\s+|my\s+|your\s+|its\s+|his\s+|her\s+|some\s+)?{}\b"
 )
+
+
+def told_apart(call: SketchCall) -> SketchCall:
+    """The call without the place in the words for the thing: "the pen in the box", "the box"."""
+    if len(call.arguments) != 2 or not all(isinstance(each, Phrase) for each in call.arguments):
+        return call
+    thing, place = call.arguments
+    if not isinstance(thing, Phrase) or not isinstance(place, Phrase):
+        return call
+    ending = (
+        rf"\s+(?:in|into|on|onto|inside)\s+(?:(?:the|my|your|a|an)\s+)?{re.escape(place.text)}$"
+    )
+    text = re.sub(ending, "", thing.text, flags=re.I)
+    return SketchCall(call.action, (replace(thing, text=text), place)) if text else call
 
 
 def in_order(call: SketchCall, signature: ActionSignature, sentence: str) -> SketchCall:

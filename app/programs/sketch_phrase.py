@@ -265,6 +265,6 @@ def _ranking(word: str, read: Description, *, head: bool, alone: bool) -> Descri
 
 
 def _core(found: tuple[str, ...]) -> tuple[str, ...]:
-    while len(found) > 1 and found[0] in DETERMINERS:
+    while len(found) > 1 and (found[0] in DETERMINERS or found[0].endswith(("'s", "s'"))):
         found = found[1:]
     return found

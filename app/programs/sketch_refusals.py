@@ -14,8 +14,8 @@ from app.programs.sketch_selection import Selection, is_container
 from app.programs.sketch_verbs import LITERAL, place_of
 
 _BESIDE_IT = re.compile(
-    r"\b(?:beside|alongside|next to|near|close to|by) (?:it|them|that|this|those|these)\b"
-    r"[^,.;]* (?:in|on|into|onto|inside)\b",
+    r"\b(?:beside|alongside|next to|near|close to|by) (?:(?:you|me|us)\b|"
+    r"(?:it|them|that|this|those|these)\b[^,.;]* (?:in|on|into|onto|inside)\b)",
     re.I,
 )
 BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
@@ -66,7 +66,7 @@ def refuse_beside(call: SketchCall, sentence: str) -> None:
     Raises:
         TaskDeclined: "next to the cup" became "into the cup" for want of a verb.
     """
-    if _BESIDE_IT.search(sentence):  # In the same place as what was put there before.
+    if _BESIDE_IT.search(sentence):  # Where something was put before, or where somebody stands.
         return
     phrases = [each for each in call.arguments if isinstance(each, Phrase)]
     texts = {each.text for each in phrases}

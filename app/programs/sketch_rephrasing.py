@@ -6,6 +6,7 @@ Each rule is one that English has; what no rule knows stays as it is.
 import re
 
 from app.programs.knowledge.names import plain, singular
+from app.programs.knowledge.word_lists import word_list
 
 _PLACING = r"(?:in|into|inside|on|onto|to)"
 _CORRECTION = re.compile(
@@ -33,16 +34,61 @@ _ONE = re.compile(r"\b(the (?:very )?[\w-]+) one\b", re.I)
 _OTHER = re.compile(r"\bthe other\b(?! \w+s? (?:goes|belongs|in|into|on|onto|is)\b)", re.I)
 
 
+_NEEDED = re.compile(
+    r"(?P<what>\b(?:the|my|your|that|this) [\w' -]+?) (?:needs?|wants?|could do with)"
+    r"(?: to be)? (?P<deed>opening|closing|shutting|pushing|emptying|opened|closed|shut|pushed)\b",
+    re.I,
+)
+_NEEDS = {"shutting": "close", "shut": "close", "emptying": "empty"}
+_BAR = re.compile(
+    r"(?<=\w) (?:bar|save for|excluding|not counting|minus) (?=(?:the|my|that|those)\b)"
+)
+_LISTED = re.compile(r"^(?P<before>[^:.!?]*\b(?P<last>\w+))\s*:\s+(?P<list>.+)$")
+_INTRODUCING = word_list("introducing")
+"""Words before a colon that promise a list and say nothing themselves: "my things: …", "like so: …"."""
+_STAYS = re.compile(
+    r"^(?:the|my|your|those|these|that|this|all the)\b[^,:]*?\b(?:can |should |must |may |shall |will )?stays?"
+    r"(?: put| here| there| where (?:it is|they are|it's|they're)| as (?:it is|they are)| behind|)\s*[.!]?$",
+    re.I,
+)
+_WHOLE = re.compile(r"\b(?:every\w*|all|rest|any\w*|others?|remaining|each|whole)\b", re.I)
+
+
 def rephrased(sentence: str) -> str:
     """The English sentence without corrections, gifts of a push, and introductions."""
     text = _CORRECTION.sub(r"\1 ", sentence)
     text = _GIVEN.sub(lambda found: f"{_deed(found['deed'])} {found['what']}", text)
-    text = _ONLY.sub("", text)
-    return _introduced(text)
+    text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
+    text = _BAR.sub(" except ", _ONLY.sub("", text))
+    return _introduced(_without_stays(_listed(text)))
 
 
 def _deed(word: str) -> str:
     return _DEEDS.get(word.lower(), word.lower())
+
+
+def _need(word: str) -> str:
+    return _NEEDS.get(word.lower()) or re.sub(r"(?:ing|ed)$", "", word.lower()).replace(
+        "clos", "close"
+    )
+
+
+def _listed(text: str) -> str:
+    """Without what only announces a list of what goes where."""
+    match = _LISTED.match(text)
+    if match is None or match["last"].lower() not in _INTRODUCING:
+        return text
+    placed = len(re.findall(rf"\b{_PLACING}\b", match["list"]))
+    announces = not re.search(rf"\b{_PLACING} (?:the|my|a)\b", match["before"])
+    return match["list"] if announces and placed > 1 else text
+
+
+def _without_stays(text: str) -> str:
+    """Without sentences that something stays where it is, unless they take it out of a whole."""
+    parts = re.split(r"(?<=[.!;])\s+", text)
+    kept = [each for each in parts if not _STAYS.match(each.strip())]
+    whole = any(map(_WHOLE.search, kept))
+    return text if whole or not kept or len(kept) == len(parts) else " ".join(kept)
 
 
 def _introduced(text: str) -> str:

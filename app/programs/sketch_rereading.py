@@ -6,6 +6,7 @@ box one." Clauses that speak of nothing on the table and order nothing are left 
 
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 
 from app.programs.knowledge.classes import normal
 from app.programs.knowledge.names import NUMBERS, words
@@ -28,13 +29,27 @@ def without_asides(sentence: str, things: Sequence[Thing]) -> str | None:
     there -= {*NUMBERS, *NUMBERS.values(), ""}
     clauses = [each for each in _CLAUSES.split(sentence) if each.strip()]
     kept = [each for each in clauses if _speaks_of(each, there) or _orders(each)]
-    return " ".join(kept) if 0 < len(kept) < len(clauses) else None
+    if not 0 < len(kept) < len(clauses) or _points_back(clauses, kept):
+        return None
+    return " ".join(kept)
+
+
+def _points_back(clauses: Sequence[str], kept: Sequence[str]) -> bool:
+    """Whether "it" or "them" may stand for something that a clause left out speaks of."""
+    return any(
+        before not in kept and after in kept and {"it", "them"} & set(words(after))
+        for before, after in pairwise(clauses)
+    )
 
 
 def _speaks_of(clause: str, there: set[str]) -> bool:
-    return bool({normal(word) for word in words(clause)} & there)
+    return bool({normal(word.partition("'")[0]) for word in words(clause)} & there)
 
 
 def _orders(clause: str) -> bool:
     said = [word for word in words(clause) if word not in ("please", "now", "then", "and", "just")]
-    return bool(said) and said[0] in ORDERING
+    to_it = any(one in ORDERING and other in _POINTING for one, other in pairwise(said))
+    return to_it or (bool(said) and said[0] in ORDERING)
+
+
+_POINTING = frozenset(("it", "them", "this", "that", "these", "those", "one", "both"))

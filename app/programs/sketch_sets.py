@@ -67,7 +67,10 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
 def halved(phrase: Phrase, sentence: str, found: int) -> Phrase:
     """With half of what is found as its number, where the sentence says "half of the eggs"."""
     spoken = r"\s+".join(map(re.escape, phrase.text.split()))
-    half = re.search(
+    them = phrase.quantity == "all" and re.search(
+        r"\bhalf of (?:them|these|those)\b", sentence, re.I
+    )
+    half = them or re.search(
         rf"\bhalf\s+(?:of\s+)?(?:the|these|those|my|your)?\s*(?:\w+\s+)?{spoken}\b", sentence, re.I
     )
     return replace(phrase, count=found // 2) if half and found > 1 else phrase
@@ -75,7 +78,7 @@ def halved(phrase: Phrase, sentence: str, found: int) -> Phrase:
 
 def left_over(phrase: Phrase, sentence: str, found: int) -> Phrase:
     """With all but so many as its number: "leave one egg and put the others in the basket"."""
-    match = _LEFT.search(sentence)
+    match = _LEFT.search(sentence) or _ALL_BUT.search(sentence)
     if not match or not words(phrase.text):
         return phrase
     left = _NUMBERS[match["number"].lower()]
@@ -105,6 +108,11 @@ _LEFT = re.compile(
     rf"\b(?:leave|leaving|keep|keeping|spare)\s+(?:just |only |out )?(?P<number>{'|'.join(_NUMBERS)})\s+"
     r"(?:of (?:the|these|those|my|your)\s+)?(?P<noun>\w+(?: \w+)?)\b"
     r".*\b(?:others?|rest|remaining|remainder)\b",
+    re.I,
+)
+_ALL_BUT = re.compile(
+    rf"\b(?:all|every one) (?:but|except|bar) (?P<number>{'|'.join(_NUMBERS)})\s+"
+    r"of (?:the|these|those|my|your|our)\s+(?P<noun>\w+(?: \w+)?)\b",
     re.I,
 )
 _STAYING = (

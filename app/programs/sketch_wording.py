@@ -8,18 +8,22 @@ scene's words but for a letter or two, is taken to be that word.
 import difflib
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from functools import cache
 from pathlib import Path
 
+from app.programs.knowledge.classes import classes
 from app.programs.knowledge.languages import translated
 from app.programs.knowledge.names import plain, words
+from app.programs.knowledge.properties import COLOUR_WORDS
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketch_matching import misspelt
 from app.programs.sketch_rephrasing import rephrased
 
 FILE = Path(__file__).parents[2] / "static" / "knowledge" / "grammar.json"
 ALIKE = 0.8
+SURELY = 0.85
+"""The same for words that the scene does not have."""
 _TOKEN = re.compile(r"[^\W\d_]+(?:[\u2019'][^\W\d_]+)*|[^\w\s]|\S+|\s+")
 _ENGLISH = word_list("english")
 _DUTCH = word_list("dutch")
@@ -112,7 +116,7 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
             return slips[word]
         if len(word) < 4 or word in singulars or word in _ENGLISH or not misspelt(word):
             return match[0]
-        return _nearest(word, singulars) or match[0]
+        return _nearest(word, singulars) or _nearest(word, _kinds(), SURELY) or match[0]
 
     return " ".join(re.sub(r"[^\W\d_]+", mend, sentence).split())
 
@@ -142,9 +146,17 @@ def _paired(sentence: str, names: Sequence[str]) -> str:
     return sentence
 
 
-def _nearest(word: str, known: set[str]) -> str | None:
+@cache
+def _kinds() -> frozenset[str]:
+    """Words for classes of things, and for colours."""
+    named = {each for each in classes().names() if each.isalpha() and len(each) > 3}
+    several = {f"{each}s" for each in named} | {f"{each[:-1]}ies" for each in named}
+    return frozenset(named | several | set(COLOUR_WORDS))
+
+
+def _nearest(word: str, known: Collection[str], alike: float = ALIKE) -> str | None:
     """The known word that this one is with a slip in it, or sounds like."""
-    near = difflib.get_close_matches(word, sorted(known), 1, ALIKE)
+    near = difflib.get_close_matches(word, sorted(known), 1, alike)
     if not near:
         near = [each for each in sorted(known) if sorted(each) == sorted(word)]
     if not near:

@@ -12,6 +12,17 @@ from app.programs.sketch_rephrasing import rephrased
         ),
         ("these go in the warm wash, that is, the white hamper", "these go in the white hamper"),
         ("give the big case a good shove", "push the big case"),
+        ("the drawer needs opening, then put it in", "open the drawer, then put it in"),
+        ("the lid needs to be closed", "close the lid"),
+        ("all goes in the bag bar the lamp", "all goes in the bag except the lamp"),
+        (
+            "Hand out my things: the tubes to the tray and the brushes to the jar.",
+            "the tubes to the tray and the brushes to the jar.",
+        ),
+        (
+            "Large books in the bag. The tiny ones can stay where they are.",
+            "Large books in the bag.",
+        ),
         ("put the green fruit, and only fruit, in the bowl", "put the green fruit in the bowl"),
         (
             "There are three tomatoes in a row: the middle one goes in the bowl.",
@@ -34,6 +45,8 @@ def test_what_is_said_in_a_roundabout_way_is_read_plainly(said, plain):
         "there are two cups; put both in the box",
         "put the ball in the box, not the bowl",
         "give the knife to me",
+        "Put all the fruit in the bowl. The lemon stays where it is.",
+        "put these things in the box: the cup and the spoon on the left",
         "",
     ],
 )
