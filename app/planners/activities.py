@@ -13,11 +13,11 @@ from app.planners import planners
 from app.programs.activities import Activity, Home, load_activities
 from app.programs.home_selection import HomeSelection
 from app.programs.printer import print_program
-from app.programs.sketch_composer import Composer, Composition
-from app.programs.sketch_grammar import sketch_grammar
-from app.programs.sketch_parser import parse_sketch
-from app.programs.sketch_prompt import STOP, write_sketch_prompt
-from app.programs.sketch_wording import plain_english
+from app.programs.sketches.composer import Composer, Composition
+from app.programs.sketches.grammar import sketch_grammar
+from app.programs.sketches.parser import parse_sketch
+from app.programs.sketches.prompt import STOP, write_sketch_prompt
+from app.programs.sketches.wording import plain_english
 from app.programs.transcript import Transcript, sketch_request
 
 MOST_ASKED = 3

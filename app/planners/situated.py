@@ -11,17 +11,17 @@ from app.domain.program import Program, Statement
 from app.llm.meaning import likeness
 from app.planners import planners
 from app.programs.printer import print_program
-from app.programs.sketch import SketchCall
-from app.programs.sketch_dialogue import asks_to_undo, calls_of, undo
-from app.programs.sketch_grammar import sketch_grammar
-from app.programs.sketch_order import unsaid
-from app.programs.sketch_parser import parse_sketch
-from app.programs.sketch_prompt import STOP, write_sketch_prompt
-from app.programs.sketch_rereading import without_asides
-from app.programs.sketch_resolver import resolve
-from app.programs.sketch_things import read_things
-from app.programs.sketch_verbs import spoken_verbs
-from app.programs.sketch_wording import plain_english
+from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
+from app.programs.sketches.grammar import sketch_grammar
+from app.programs.sketches.order import unsaid
+from app.programs.sketches.parser import parse_sketch
+from app.programs.sketches.prompt import STOP, write_sketch_prompt
+from app.programs.sketches.rereading import without_asides
+from app.programs.sketches.resolver import resolve
+from app.programs.sketches.sketch import SketchCall
+from app.programs.sketches.things import read_things
+from app.programs.sketches.verbs import spoken_verbs
+from app.programs.sketches.wording import plain_english
 from app.programs.transcript import Transcript, sketch_request
 
 MOST_ORDERED = 3

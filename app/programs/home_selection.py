@@ -7,11 +7,11 @@ from app.domain.condition import Relation
 from app.domain.scene import SceneObject
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.names import words
-from app.programs.sketch import Phrase
-from app.programs.sketch_matching import COUNTS, EXACT
-from app.programs.sketch_qualities import Fits
-from app.programs.sketch_selection import Found, Judge, Selection, affording
-from app.programs.sketch_things import Thing, read_things
+from app.programs.sketches.matching import COUNTS, EXACT
+from app.programs.sketches.qualities import Fits
+from app.programs.sketches.selection import Found, Judge, Selection, affording
+from app.programs.sketches.sketch import Phrase
+from app.programs.sketches.things import Thing, read_things
 
 EQUAL = 0.015
 """Fits this close to the best are as good."""

@@ -16,9 +16,9 @@ from app.domain.llm import CompletionRequest, LanguageModel
 from app.domain.planner import Planner, PlannerOptions, Task
 from app.domain.trace import PlanningEvent
 from app.evaluation.intervals import wilson
-from app.programs.sketch_grammar import sketch_grammar
-from app.programs.sketch_parser import parse_sketch
-from app.programs.sketch_prompt import STOP
+from app.programs.sketches.grammar import sketch_grammar
+from app.programs.sketches.parser import parse_sketch
+from app.programs.sketches.prompt import STOP
 from app.training.example import Example
 from app.training.executor import outcome
 from app.training.generator import generate

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 from app.domain.action import ActionSignature
 from app.domain.planner import Turn
-from app.programs.sketch import Decline, SketchCall
-from app.programs.sketch_parser import parse_sketch, print_sketch
-from app.programs.sketch_prompt import write_sketch_prompt
+from app.programs.sketches.parser import parse_sketch, print_sketch
+from app.programs.sketches.prompt import write_sketch_prompt
+from app.programs.sketches.sketch import Decline, SketchCall
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ import pytest
 from app.domain.errors import TaskDeclined
 from app.domain.scene import Scene, SceneObject
 from app.programs.home_selection import HomeSelection
-from app.programs.sketch import Phrase
+from app.programs.sketches.sketch import Phrase
 from app.worlds import worlds
 
 

@@ -6,7 +6,9 @@ import pytest
 from app.domain.action import ActionSignature, Parameter
 from app.domain.errors import ProgramRefused
 from app.domain.planner import Turn
-from app.programs.sketch import (
+from app.programs.sketches.parser import parse_sketch, print_sketch
+from app.programs.sketches.prompt import write_sketch_prompt
+from app.programs.sketches.sketch import (
     RELATIONS,
     Decline,
     Each,
@@ -18,8 +20,6 @@ from app.programs.sketch import (
     SketchArgument,
     SketchCall,
 )
-from app.programs.sketch_parser import parse_sketch, print_sketch
-from app.programs.sketch_prompt import write_sketch_prompt
 
 PUT = ActionSignature(
     name="grab_and_putin", parameters=(Parameter(name="obj1"), Parameter(name="obj2")), meaning=""

@@ -1,10 +1,10 @@
 import pytest
 
 from app.domain.scene import SceneObject
-from app.programs.sketch import Phrase
-from app.programs.sketch_meaning import Meaning
-from app.programs.sketch_phrase import read_description
-from app.programs.sketch_things import read_things
+from app.programs.sketches.meaning import Meaning
+from app.programs.sketches.phrase import read_description
+from app.programs.sketches.sketch import Phrase
+from app.programs.sketches.things import read_things
 
 THINGS = read_things(SceneObject(name=name) for name in ("umbrella", "scarf", "bag"))
 RAIN, SNOW = "rain is forecast", "snow is forecast"

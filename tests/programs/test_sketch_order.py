@@ -1,8 +1,8 @@
 import pytest
 
 from app.domain.action import ActionSignature, Parameter
-from app.programs.sketch import Phrase, SketchCall
-from app.programs.sketch_order import in_order, unsaid
+from app.programs.sketches.order import in_order, unsaid
+from app.programs.sketches.sketch import Phrase, SketchCall
 
 
 def verb(name, *parameters):

@@ -4,9 +4,9 @@ from app.domain.action import ActionSignature, Parameter
 from app.domain.errors import TaskDeclined
 from app.domain.program import ActionCall
 from app.domain.scene import SceneObject
-from app.programs.sketch_refusals import HANDOVER, refuse_harm
-from app.programs.sketch_selection import Selection
-from app.programs.sketch_things import read_things
+from app.programs.sketches.refusals import HANDOVER, refuse_harm
+from app.programs.sketches.selection import Selection
+from app.programs.sketches.things import read_things
 
 HAND = ActionSignature(name=HANDOVER, parameters=(Parameter(name="obj"),), meaning="")
 

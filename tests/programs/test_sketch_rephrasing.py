@@ -1,6 +1,6 @@
 import pytest
 
-from app.programs.sketch_rephrasing import rephrased
+from app.programs.sketches.rephrasing import rephrased
 
 
 @pytest.mark.parametrize(

@@ -1,8 +1,8 @@
 import pytest
 
 from app.domain.scene import SceneObject
-from app.programs.sketch_rereading import without_asides
-from app.programs.sketch_things import read_things
+from app.programs.sketches.rereading import without_asides
+from app.programs.sketches.things import read_things
 
 THINGS = read_things(
     SceneObject(name=name) for name in ("newspaper", "jam jar", "box one", "box two")

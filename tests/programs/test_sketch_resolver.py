@@ -12,10 +12,10 @@ from app.domain.instruction import Instruction
 from app.domain.planner import PlannerOptions, Task, Turn
 from app.domain.program import ActionCall
 from app.domain.scene import Scene, SceneObject
-from app.programs.sketch_dialogue import asks_to_undo, undo
-from app.programs.sketch_parser import parse_sketch
-from app.programs.sketch_resolver import resolve
-from app.programs.sketch_verbs import spoken_verbs
+from app.programs.sketches.dialogue import asks_to_undo, undo
+from app.programs.sketches.parser import parse_sketch
+from app.programs.sketches.resolver import resolve
+from app.programs.sketches.verbs import spoken_verbs
 
 CASES = json.loads(Path(__file__).with_name("sketches.json").read_text(encoding="utf-8"))
 SIDES = {"left": (0.5, 0.2, 0.0), "center": (0.5, 0.0, 0.0), "right": (0.5, -0.2, 0.0)}

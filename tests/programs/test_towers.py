@@ -1,8 +1,8 @@
 import pytest
 
 from app.domain.scene import SceneObject
-from app.programs.sketch_things import read_things
-from app.programs.towers import tower
+from app.programs.sketches.things import read_things
+from app.programs.sketches.towers import tower
 
 CUBES = ("red cube", "green cube", "blue cube", "box")
 

@@ -1,7 +1,7 @@
 from random import Random
 
 from app.programs.activities import load_activities
-from app.programs.sketch_parser import parse_sketch
+from app.programs.sketches.parser import parse_sketch
 from app.training.actor import Actor
 from app.training.chaining import chain
 from app.training.chores import Chores

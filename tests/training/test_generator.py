@@ -9,9 +9,9 @@ from app.domain.errors import TaskDeclined
 from app.domain.instruction import Instruction
 from app.domain.planner import PlannerOptions, Task
 from app.domain.scene import Scene, SceneObject
-from app.programs.sketch import Decline, Phrase, SketchCall
-from app.programs.sketch_parser import parse_sketch
-from app.programs.sketch_resolver import resolve
+from app.programs.sketches.parser import parse_sketch
+from app.programs.sketches.resolver import resolve
+from app.programs.sketches.sketch import Decline, Phrase, SketchCall
 from app.training.example import Example
 from app.training.executor import Outcome, run
 from app.training.generator import generate

@@ -1,7 +1,7 @@
 import itertools
 import re
 
-from app.programs.sketch_parser import parse_sketch
+from app.programs.sketches.parser import parse_sketch
 from app.training.sentences import sentences
 
 

@@ -5,9 +5,9 @@ import pytest
 
 from app.domain.scene import SceneObject
 from app.programs.knowledge.classes import belonging, classes
-from app.programs.sketch_matching import SETS, fit
-from app.programs.sketch_phrase import read_description
-from app.programs.sketch_things import read_things
+from app.programs.sketches.matching import SETS, fit
+from app.programs.sketches.phrase import read_description
+from app.programs.sketches.things import read_things
 
 MEMBERSHIPS = json.loads(Path(__file__).with_name("memberships.json").read_text(encoding="utf-8"))
 

@@ -1,7 +1,7 @@
 import pytest
 
 from app.programs.knowledge.languages import in_english
-from app.programs.sketch_wording import plain_english
+from app.programs.sketches.wording import plain_english
 
 
 @pytest.mark.parametrize(

@@ -2,11 +2,11 @@
 
 from app.domain.planner import Task
 from app.domain.program import ActionCall, Comment, Statement
-from app.programs.sketch import Sketch
-from app.programs.sketch_composer import Composer
-from app.programs.sketch_dialogue import moved_before
-from app.programs.sketch_selection import Judge, Selection
-from app.programs.sketch_things import read_things
+from app.programs.sketches.composer import Composer
+from app.programs.sketches.dialogue import moved_before
+from app.programs.sketches.selection import Judge, Selection
+from app.programs.sketches.sketch import Sketch
+from app.programs.sketches.things import read_things
 
 FAILED_LAST = 1
 """Place of what failed before in the order things are chosen in: behind all others."""

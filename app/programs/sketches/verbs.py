@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from app.domain.action import ActionSignature, Parameter
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch import Phrase, SketchArgument, SketchCall
+from app.programs.sketches.sketch import Phrase, SketchArgument, SketchCall
 
 PLACES = word_list("places")
 """Names of parameters that say where a thing goes."""

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from app.domain.errors import TaskDeclined
-from app.programs.sketch import Each, Phrase, Previous, Same, SketchArgument
-from app.programs.sketch_sharing import sharing
-from app.programs.sketch_things import Thing, listed
+from app.programs.sketches.sharing import sharing
+from app.programs.sketches.sketch import Each, Phrase, Previous, Same, SketchArgument
+from app.programs.sketches.things import Thing, listed
 
 
 def pairs(

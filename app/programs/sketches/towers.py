@@ -9,7 +9,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from app.programs.sketch_things import Thing
+from app.programs.sketches.things import Thing
 
 Pair = tuple[str, str]
 """A thing and what it stands on, by their names."""

@@ -7,8 +7,8 @@ from dataclasses import replace
 from app.domain.action import ActionSignature
 from app.programs.knowledge.names import stem, words
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch import Phrase, SketchCall
-from app.programs.sketch_verbs import PLACES
+from app.programs.sketches.sketch import Phrase, SketchCall
+from app.programs.sketches.verbs import PLACES
 
 TOOLS = word_list("tools")
 """Names of parameters for what something is done with."""

@@ -7,11 +7,11 @@ from app.domain.errors import TaskDeclined
 from app.domain.program import ActionCall
 from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
-from app.programs.sketch import Phrase, SketchCall
-from app.programs.sketch_phrase import spoken_of
-from app.programs.sketch_qualities import far_larger
-from app.programs.sketch_selection import Selection, is_container
-from app.programs.sketch_verbs import LITERAL, place_of
+from app.programs.sketches.phrase import spoken_of
+from app.programs.sketches.qualities import far_larger
+from app.programs.sketches.selection import Selection, is_container
+from app.programs.sketches.sketch import Phrase, SketchCall
+from app.programs.sketches.verbs import LITERAL, place_of
 
 _BESIDE_IT = re.compile(
     r"\b(?:beside|alongside|next to|near|close to|by) (?:(?:you|me|us)\b|"

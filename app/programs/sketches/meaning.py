@@ -7,11 +7,11 @@ from app.programs.knowledge.classes import VAGUE, normal
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.uses import uses
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch import Phrase
-from app.programs.sketch_matching import COUNTS, KIND, SETS, fit, misspelt
-from app.programs.sketch_phrase import Description
-from app.programs.sketch_qualities import Fits
-from app.programs.sketch_things import Thing
+from app.programs.sketches.matching import COUNTS, KIND, SETS, fit, misspelt
+from app.programs.sketches.phrase import Description
+from app.programs.sketches.qualities import Fits
+from app.programs.sketches.sketch import Phrase
+from app.programs.sketches.things import Thing
 
 Judge = Callable[[str, Sequence[Sequence[str]]], Sequence[float]]
 """For words that no knowledge at hand covers: how like each thing is to them, up to 1; a thing is

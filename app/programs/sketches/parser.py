@@ -4,7 +4,7 @@ from app.domain.errors import Fault, ProgramRefused
 from app.programs.cursor import Cursor
 from app.programs.lexer import read_lines, refuse
 from app.programs.printer import INDENT
-from app.programs.sketch import (
+from app.programs.sketches.sketch import (
     RELATIONS,
     Decline,
     Each,

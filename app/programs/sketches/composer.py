@@ -8,7 +8,15 @@ from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import ActionCall, Argument, Comment, Statement
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch import (
+from app.programs.sketches.arguments import Arguments
+from app.programs.sketches.course import Course
+from app.programs.sketches.members import Members
+from app.programs.sketches.order import in_order, told_apart
+from app.programs.sketches.pairs import for_each, pairs
+from app.programs.sketches.refusals import refuse_beside, refuse_harm
+from app.programs.sketches.selection import Selection
+from app.programs.sketches.sets import counted, stays
+from app.programs.sketches.sketch import (
     Decline,
     Each,
     Phrase,
@@ -19,17 +27,9 @@ from app.programs.sketch import (
     SketchArgument,
     SketchCall,
 )
-from app.programs.sketch_arguments import Arguments
-from app.programs.sketch_course import Course
-from app.programs.sketch_members import Members
-from app.programs.sketch_order import in_order, told_apart
-from app.programs.sketch_pairs import for_each, pairs
-from app.programs.sketch_refusals import refuse_beside, refuse_harm
-from app.programs.sketch_selection import Selection
-from app.programs.sketch_sets import counted, stays
-from app.programs.sketch_things import Thing, listed
-from app.programs.sketch_verbs import place_of, righted
-from app.programs.towers import tower
+from app.programs.sketches.things import Thing, listed
+from app.programs.sketches.towers import tower
+from app.programs.sketches.verbs import place_of, righted
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,8 +7,8 @@ from app.programs.knowledge.names import is_mark
 from app.programs.knowledge.properties import COLOUR_WORDS, MATERIALS, SIZES
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch_matching import find_class
-from app.programs.sketch_things import Thing
+from app.programs.sketches.matching import find_class
+from app.programs.sketches.things import Thing
 
 NAMES = {"color": "colour", "kind": "category", "type": "category", "class": "category"}
 SHAPES = word_list("shapes")

@@ -3,14 +3,14 @@
 from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import Argument
 from app.programs.knowledge.names import words
-from app.programs.sketch import Each, Phrase, Rest, Same, SketchArgument
-from app.programs.sketch_arguments import Arguments
-from app.programs.sketch_course import Course
-from app.programs.sketch_phrase import describe_phrase
-from app.programs.sketch_qualities import ordered
-from app.programs.sketch_selection import Selection
-from app.programs.sketch_sets import halved, left_over, movable
-from app.programs.sketch_things import Thing, listed
+from app.programs.sketches.arguments import Arguments
+from app.programs.sketches.course import Course
+from app.programs.sketches.phrase import describe_phrase
+from app.programs.sketches.qualities import ordered
+from app.programs.sketches.selection import Selection
+from app.programs.sketches.sets import halved, left_over, movable
+from app.programs.sketches.sketch import Each, Phrase, Rest, Same, SketchArgument
+from app.programs.sketches.things import Thing, listed
 
 
 class Members:

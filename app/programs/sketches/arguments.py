@@ -4,13 +4,13 @@ from app.domain.action import Parameter
 from app.domain.program import Argument
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch import Phrase, SketchArgument
-from app.programs.sketch_course import Course
-from app.programs.sketch_refusals import into_itself
-from app.programs.sketch_selection import Selection, is_container
-from app.programs.sketch_sets import COLLECTIVE, is_plural, means_all
-from app.programs.sketch_things import Thing
-from app.programs.sketch_verbs import DIRECTIONS, PERSONS, SPOKEN
+from app.programs.sketches.course import Course
+from app.programs.sketches.refusals import into_itself
+from app.programs.sketches.selection import Selection, is_container
+from app.programs.sketches.sets import COLLECTIVE, is_plural, means_all
+from app.programs.sketches.sketch import Phrase, SketchArgument
+from app.programs.sketches.things import Thing
+from app.programs.sketches.verbs import DIRECTIONS, PERSONS, SPOKEN
 
 TOP = frozenset(("very", "top", "of", "it", "all", "pile", "stack", "tower", "that", "the"))
 """Words of a place that is on top of what was put there last."""

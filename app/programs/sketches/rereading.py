@@ -11,7 +11,7 @@ from itertools import pairwise
 from app.programs.knowledge.classes import normal
 from app.programs.knowledge.names import NUMBERS, words
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch_things import Thing
+from app.programs.sketches.things import Thing
 
 ORDERING = word_list("ordering")
 """Verbs that order something."""

@@ -7,9 +7,9 @@ from dataclasses import replace
 from app.programs.knowledge.classes import belonging, classes, normal
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch import Phrase
-from app.programs.sketch_selection import Selection, is_container
-from app.programs.sketch_things import Thing
+from app.programs.sketches.selection import Selection, is_container
+from app.programs.sketches.sketch import Phrase
+from app.programs.sketches.things import Thing
 
 COLLECTIVE = word_list("collective")
 """Words that stand for all of a kind without a plural."""

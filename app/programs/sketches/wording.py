@@ -17,10 +17,10 @@ from app.programs.knowledge.languages import translated
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.properties import COLOUR_WORDS
 from app.programs.knowledge.word_lists import word_list
-from app.programs.sketch_matching import misspelt
-from app.programs.sketch_rephrasing import rephrased
+from app.programs.sketches.matching import misspelt
+from app.programs.sketches.rephrasing import rephrased
 
-FILE = Path(__file__).parents[2] / "static" / "knowledge" / "grammar.json"
+FILE = Path(__file__).parents[3] / "static" / "knowledge" / "grammar.json"
 ALIKE = 0.8
 SURELY = 0.85
 """The same for words that the scene does not have."""

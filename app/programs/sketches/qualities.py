@@ -4,8 +4,8 @@ from collections.abc import Iterable
 
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.properties import typical_size
-from app.programs.sketch_phrase import Description, read_description
-from app.programs.sketch_things import LIKELY, Thing
+from app.programs.sketches.phrase import Description, read_description
+from app.programs.sketches.things import LIKELY, Thing
 
 Fits = list[tuple[Thing, float]]
 """Things, each with how well it fits."""

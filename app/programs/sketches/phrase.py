@@ -12,7 +12,7 @@ from app.programs.knowledge.properties import (
     SIZES,
     SUPERLATIVES,
 )
-from app.programs.sketch import Phrase
+from app.programs.sketches.sketch import Phrase
 
 SIDES = {
     "left": "left",

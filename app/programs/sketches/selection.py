@@ -12,8 +12,7 @@ from app.programs.knowledge.names import is_mark, plain, words
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
 from app.programs.knowledge.wordnet import nouns
-from app.programs.sketch import Phrase
-from app.programs.sketch_matching import (
+from app.programs.sketches.matching import (
     COUNTS,
     EXACT,
     HEAD,
@@ -23,9 +22,9 @@ from app.programs.sketch_matching import (
     fit,
     slip,
 )
-from app.programs.sketch_meaning import Judge, Meaning
-from app.programs.sketch_phrase import Description, describe_phrase, spoken_of
-from app.programs.sketch_qualities import (
+from app.programs.sketches.meaning import Judge, Meaning
+from app.programs.sketches.phrase import Description, describe_phrase, spoken_of
+from app.programs.sketches.qualities import (
     AXES,
     Fits,
     distance,
@@ -35,7 +34,8 @@ from app.programs.sketch_qualities import (
     sized,
     stands,
 )
-from app.programs.sketch_things import LIKELY, UNKNOWN, Thing, listed
+from app.programs.sketches.sketch import Phrase
+from app.programs.sketches.things import LIKELY, UNKNOWN, Thing, listed
 
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (

@@ -9,7 +9,7 @@ from app.domain.planner import Task, Turn
 from app.domain.program import ActionCall, Comment, Statement
 from app.programs.knowledge.names import plain
 from app.programs.parser import parse_program
-from app.programs.sketch_verbs import place_of
+from app.programs.sketches.verbs import place_of
 
 _UNDO = re.compile(
     r"(?:(?:no|oh|oops|sorry|wait|hmm|ok|okay|please|now|then|can you|could you|actually|and)[,.! ]+)*"

@@ -1,0 +1,1 @@
+"""Sketches: a sentence in the plan language's own form, and what it means in a scene."""
