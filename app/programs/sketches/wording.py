@@ -14,7 +14,7 @@ from pathlib import Path
 
 from app.programs.knowledge.classes import classes
 from app.programs.knowledge.languages import translated
-from app.programs.knowledge.names import plain, words
+from app.programs.knowledge.names import plain, singular, words
 from app.programs.knowledge.properties import COLOUR_WORDS
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.matching import misspelt
@@ -68,7 +68,8 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
     )
     text = " ".join(re.sub(r"\b(?:of )?(?:the )?please\b", "", text).split())
     for first, second in (words(name) for name in names if len(words(name)) == 2):
-        text = re.sub(rf"\b{second} (?:of |the )+{first}\b", f"{first} {second}", text)
+        turned = rf"\b{singular(second)}s? (?:of |the )+{singular(first)}s?\b"
+        text = re.sub(turned, f"{first} {second}", text)
     text = text.lstrip(" ,")
     return re.sub(r"\s+([,.!?])", r"\1", re.sub(r"\b(the|a) (the|a)\b", r"\1", text))
 

@@ -27,6 +27,7 @@ def test_names_of_other_languages_are_put_into_english(foreign, english):
         ("mets toutes les pommes dans la boîte rouge", "put all the apples in the red box"),
         ("leg de appel in de kom", "put the apple in the bowl"),
         ("把梨放在盘子上", "put the pear in the plate"),
+        ("leg de appel en de banaan in de kom", "put the apple and the banana in the bowl"),
         ("put teh bananna in the bwol", "put the banana in the bowl"),
         ("put the banana in the bowl", "put the banana in the bowl"),
     ],
