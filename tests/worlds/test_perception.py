@@ -9,6 +9,8 @@ from app.domain.errors import ActionFailure
 from app.domain.perception import Perception
 from app.worlds.simulators.mujoco.arms import arms
 from app.worlds.simulators.mujoco.outline import KnownOutlines, SeenOutlines
+from app.worlds.simulators.mujoco.picking import CLEARANCE
+from app.worlds.simulators.mujoco.placing import LOWERING
 from app.worlds.simulators.mujoco.scene_builder import build
 from app.worlds.simulators.mujoco.workcell import Workcell
 
@@ -94,6 +96,22 @@ def test_what_is_about_to_be_grasped_may_be_between_the_fingers_but_not_in_one(c
     assert around is None
     assert str(beside) == "the gripper with red block"
     assert cell.collisions.find(pointing_down(0.5, 0.0, 0.02), 0.0, 0.0005) is not None
+
+
+def test_what_is_carried_keeps_farther_from_what_it_passes_than_from_where_it_is_put(cell_of):
+    cell = cell_of(red_block=(0.5, 0.0), cracker_box=(0.5, -0.3))
+    physics, top = cell.physics, cell.physics.bodies["cracker box"].height
+    address = physics.bodies["red block"].qpos_address
+    joints = pointing_down(0.5, 0.0, 0.32)
+    physics.data.qpos[physics.arm.arm_part] = joints
+    physics.data.qpos[address : address + 3] = 0.5, 0.0, 0.3
+    close = pointing_down(0.5, -0.3, 0.32 - 0.3 + top + 0.004)
+    cell.collisions.refresh()
+    with cell.collisions.carrying("red block"):
+        passing = cell.collisions.find(close, 0.04, CLEARANCE)
+        lowering = cell.collisions.find(close, 0.04, LOWERING)
+    assert str(passing) == "red block with cracker box"
+    assert lowering is None
 
 
 def test_beliefs_follow_what_happens(tabletop, scene_of, carry_out):
