@@ -136,5 +136,7 @@ class PickAndPlace(Taking):
 
     def _check(self) -> Iterator[Stage]:
         yield from self._come_to_rest()
+        # What is thin, or low in a container, does not show from afar.
+        self._cell.look_at(self._item, *self._aim.looked_at)
         if not self._aim.reached():
             raise ActionFailure("check", f"{self._item} {self._aim.missed}")
