@@ -155,6 +155,10 @@ class Placing:
 
 def _over(tool: Array, middle: Array, landing: Landing) -> Array:
     """The tool's pose where the held object rests on a spot, turned as it is to be."""
-    pose = turned(tool, middle, landing.turn)
-    pose[:3, 3] += np.array([landing.spot.x, landing.spot.y, landing.spot.height]) - middle
+    leant = tool.copy()
+    leant[:3, :3] = landing.lean @ tool[:3, :3]
+    leant[:3, 3] = middle + landing.lean @ (tool[:3, 3] - middle)
+    pose = turned(leant, middle, landing.turn)
+    spot = landing.spot
+    pose[:3, 3] += np.array([spot.x, spot.y, spot.height + landing.sunk]) - middle
     return pose
