@@ -19,8 +19,9 @@ Array = NDArray[np.float64]
 
 HOVER = 0.05
 """Lowering begins so far above the rim [m]."""
-GAPS = ((0.004, 0.015), (0.03, 0.05))
-"""Heights above the spot to let go at; the second pair only where the first cannot be reached [m]."""
+GAPS = ((0.004, 0.015), (0.03, 0.05), (0.075, 0.1))
+"""Heights above the spot to let go at; a later pair only where the earlier ones cannot be reached,
+since the gripper does not fit between the walls of what is deep and narrow [m]."""
 MOST = 24
 """So many landings are examined."""
 LOWERING = 0.001
