@@ -9,6 +9,7 @@ from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.domain.world import Stage
 from app.worlds.simulators.mujoco.cloud import Cloud
+from app.worlds.simulators.mujoco.level import Level
 from app.worlds.simulators.mujoco.motion import free_path
 from app.worlds.simulators.mujoco.picking import CLEARANCE
 from app.worlds.simulators.mujoco.placing import Placing
@@ -88,14 +89,14 @@ class Manoeuvre:
         physics, collisions = self._cell.physics, self._cell.collisions
         collisions.refresh()
         opening = physics.opening
+        level = Level(physics, item) if item in physics.beads else None
+
+        def blocked(joints: Array) -> bool:
+            spills = level is not None and level.lost(joints)
+            return spills or collisions.find(joints, opening, CLEARANCE) is not None
+
         with collisions.carrying(item):
-            path = free_path(
-                physics.arm,
-                physics.joints,
-                physics.arm.home,
-                lambda q: collisions.find(q, opening, CLEARANCE) is not None,
-                self._rng,
-            )
+            path = free_path(physics.arm, physics.joints, physics.arm.home, blocked, self._rng)
         if path is None:
             raise ActionFailure("home", f"no path home with {item} was found")
         yield from self._during("home", self._cell.manipulator.follow(path, CARRY_SPEED))
