@@ -21,7 +21,7 @@ from app.worlds.simulators.mujoco.picking import Pick
 from app.worlds.simulators.mujoco.placing import Place
 from app.worlds.simulators.mujoco.workcell import Workcell
 
-HIGH = 0.08
+HIGH = 0.05
 """From this height of the hand on, what was put down must be seen again [m]."""
 
 
