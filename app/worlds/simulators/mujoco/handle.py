@@ -30,8 +30,8 @@ BRANCHES = 24
 """So many of the arm's postures over the fin are tried."""
 STEP = 0.008
 """Distance of neighbouring poses along the way of the fin [m]."""
-TILTS = np.radians([0, 20, 35])
-"""How far the hand may lean away from the front of what it opens [rad]."""
+TILTS = np.radians([0, 20, -20, 35, -35])
+"""How far the hand may lean away from the front of what it opens, or towards it [rad]."""
 WIDE = 0.025
 """How far each finger is from the middle around the fin [m]."""
 DRIFTS = np.linspace(-0.12, 0.12, 9)
