@@ -128,6 +128,15 @@ def test_beliefs_follow_what_happens(tabletop, scene_of, carry_out):
     assert cell.relations.holds(Relation("left_of", ("book", "bowl")))
 
 
+def test_what_leans_on_a_container_from_the_table_is_not_taken_to_be_in_it(cell_of):
+    cell = cell_of(bowl=(0.5, 0.1), knife=(0.3, -0.3))
+    address, half = cell.physics.bodies["knife"].qpos_address, np.radians(40) / 2
+    pose = (0.43, 0.1, 0.07, np.cos(half), 0.0, -np.sin(half), 0.0)
+    cell.physics.data.qpos[address : address + 7] = pose
+    assert cell.look_at("knife", "bowl")["knife"].lowest[2] < 0.012
+    assert not cell.relations.holds(Relation("in", ("knife", "bowl")))
+
+
 def test_who_takes_one_object_for_another_moves_the_wrong_one(tabletop, scene_of, carry_out):
     scene = scene_of(apple=(0.5, 0.2), lemon=(0.5, -0.25), plate=(0.4, 0.0), fork=(0.35, 0.3))
     world = tabletop.open(scene, 1, Perception(confusion=1.0))
