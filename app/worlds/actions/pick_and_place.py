@@ -136,7 +136,10 @@ class PickAndPlace(Taking):
 
     def _check(self) -> Iterator[Stage]:
         yield from self._come_to_rest()
-        # What is thin, or low in a container, does not show from afar.
-        self._cell.look_at(self._item, *self._aim.looked_at)
-        if not self._aim.reached():
+        if not self._aim.reached() and not self._reached_from_close_up():
             raise ActionFailure("check", f"{self._item} {self._aim.missed}")
+
+    def _reached_from_close_up(self) -> bool:
+        """The same, seen better: what is thin, or low in a container, does not show from afar."""
+        self._cell.look_at(self._item, *self._aim.looked_at)
+        return self._aim.reached()
