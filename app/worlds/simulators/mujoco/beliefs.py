@@ -93,6 +93,8 @@ class Beliefs:
 
     def _cloud(self, name: str) -> Cloud:
         clouds = self._cameras.current()
+        if name not in clouds:  # too thin for a look from afar
+            clouds = self._cameras.look(name)
         if name not in clouds:
             raise ActionFailure(
                 "look", f"{name} is hidden or has fallen off the table: no camera sees it"

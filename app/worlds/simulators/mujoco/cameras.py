@@ -37,6 +37,9 @@ FEWEST = 3
 """An object seen by fewer pixels counts as not seen."""
 SEARCHED = 0.10
 """So far around the tool, what is not seen otherwise is looked for [m]."""
+PARTS = tuple((0.42, y, 0.02) for y in (-0.45, -0.15, 0.15, 0.45))
+PART = 0.25
+"""Middles of the parts into which the table is divided for that, and their radius [m]."""
 COVERED = 0.015
 """By so much, coarse clouds of one object may differ in extent [m]."""
 LIFTED = 0.05
@@ -105,11 +108,12 @@ class Cameras:
         return dict(self._seen)
 
     def _search(self, name: str) -> None:
-        """Look for what is too thin for the overview: in the gripper, and where it was before."""
+        """Look for what is too thin for the overview: in the gripper, where it was, all over."""
         arm, joints = self._physics.arm, self._physics.joints
         balls = [(arm.forward(joints)[:3, 3], SEARCHED)]
         if name in self._earlier:
             balls.append(_ball(self._earlier[name]))
+        balls += [(np.array(part), PART) for part in PARTS]
         for centre, radius in balls:
             found = self._everything(centre, radius, CLOSE_UP)
             if name in found:
