@@ -24,6 +24,19 @@ def test_an_episode_depends_on_its_seed_and_number_alone():
     assert 1 <= first.distractors <= 4
 
 
+@pytest.mark.parametrize(
+    "index",
+    [
+        pytest.param(145, id="a cucumber too long to lie in its bowl"),
+        pytest.param(444, id="a carrot that hung low while it was carried over a rim"),
+        pytest.param(462, id="a pen in a basket, too thin to be seen from afar"),
+    ],
+)
+def test_a_layout_that_once_went_wrong_succeeds_at_the_first_attempt(index):
+    episode = run_episode((910261, index))
+    assert (episode.failure, episode.attempts) == (None, 1)
+
+
 def test_the_report_counts_what_was_told():
     told = []
     report = bench_pick(2, 5, on_episode=told.append)

@@ -1,6 +1,8 @@
 import numpy as np
 import pytest
 
+from app.domain.perception import Perception
+from app.domain.scene import Scene, SceneObject
 from app.worlds.simulators.mujoco.scene_builder import build
 from app.worlds.simulators.mujoco.workcell import Workcell
 
@@ -38,3 +40,38 @@ def test_looking_changes_nothing(cell):
     before = cell.physics.save()
     cell.look_at("apple", "bowl")
     assert cell.physics.save() == before
+
+
+def test_a_thin_thing_in_the_gripper_is_found_from_close_up(tabletop):
+    pen = SceneObject(name="pen", position=(0.6, 0.0, 0.0), size=(0.135, 0.011, 0.011))
+    scene = tabletop.complete(Scene(world="tabletop", objects=(pen,)), 1)
+    cell = Workcell.over(build(scene, visuals=False), Perception(), 3)
+    physics = cell.physics
+    tool = np.array([[0.0, 1, 0, 0.6], [1, 0, 0, 0.0], [0, 0, -1, 0.125], [0, 0, 0, 1]])
+    physics.data.qpos[physics.arm.arm_part] = physics.arm.inverse(tool, physics.arm.home)[0]
+    physics.data.qpos[physics.arm.finger_part] = physics.arm.finger_joints_at(0.006)
+    address = physics.bodies["pen"].qpos_address
+    physics.data.qpos[address : address + 7] = (0.6, 0.0, 0.12, 0.5**0.5, 0.0, 0.0, 0.5**0.5)
+    assert "pen" not in cell.cameras.overview()
+    assert len(cell.look_at("pen")["pen"]) > 500
+
+
+def test_a_pen_on_the_table_that_the_overview_misses_is_found(tabletop):
+    pen = SceneObject(name="pen", position=(0.56, -0.3, 0.0), size=(0.135, 0.011, 0.011))
+    scene = tabletop.complete(Scene(world="tabletop", objects=(pen,)), 1)
+    cells = [Workcell.over(build(scene, visuals=False), Perception(), seed) for seed in range(40)]
+    missed = [cell for cell in cells if "pen" not in cell.cameras.overview()]
+    assert missed
+    for cell in missed:
+        assert len(cell.look_at("pen")["pen"]) > 500
+
+
+def test_a_close_up_that_shows_a_part_of_a_neighbour_does_not_stand_for_all_of_it(
+    tabletop, scene_of
+):
+    scene = tabletop.complete(scene_of(pen=(0.5, 0.09), bin=(0.5, -0.05)), 1)
+    cell = Workcell.over(build(scene, visuals=False), Perception(), 3)
+    whole = cell.cameras.overview()["bin"]
+    seen = cell.look_at("pen")["bin"]
+    assert np.allclose(seen.lowest, whole.lowest, atol=0.02)
+    assert np.allclose(seen.highest, whole.highest, atol=0.02)

@@ -57,6 +57,21 @@ def test_a_full_gripper_takes_nothing_else_and_says_what_would_help(
 
 
 @pytest.mark.parametrize("executor", ["open", "open_perfect"])
+def test_a_vessel_that_is_held_already_is_poured_from_and_stays_held(tabletop, carry_out, executor):
+    beads = (("contents", "beads"),)
+    objects = (
+        SceneObject(name="cup", position=(0.45, 0.25, 0.0), yaw=0.3, properties=beads),
+        SceneObject(name="bowl", position=(0.5, -0.1, 0.0), yaw=0.0),
+    )
+    scene = Scene(world="tabletop", objects=objects, actions=("pick", "pour"))
+    world = getattr(tabletop, executor)(scene, 0)
+    carry_out(world, "cup", action="pick")
+    carry_out(world, "cup", "bowl", action="pour")
+    for relation in (Relation("poured", ("cup", "bowl")), Relation("held", ("cup",))):
+        assert world.holds(relation), relation
+
+
+@pytest.mark.parametrize("executor", ["open", "open_perfect"])
 def test_a_shut_drawer_takes_nothing_and_says_what_would_help(tabletop, carry_out, executor):
     objects = (
         SceneObject(name="block", position=(0.45, 0.25, 0.0), yaw=0.0),

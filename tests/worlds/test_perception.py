@@ -9,6 +9,8 @@ from app.domain.errors import ActionFailure
 from app.domain.perception import Perception
 from app.worlds.simulators.mujoco.arms import arms
 from app.worlds.simulators.mujoco.outline import KnownOutlines, SeenOutlines
+from app.worlds.simulators.mujoco.picking import CLEARANCE
+from app.worlds.simulators.mujoco.placing import LOWERING
 from app.worlds.simulators.mujoco.scene_builder import build
 from app.worlds.simulators.mujoco.workcell import Workcell
 
@@ -96,6 +98,22 @@ def test_what_is_about_to_be_grasped_may_be_between_the_fingers_but_not_in_one(c
     assert cell.collisions.find(pointing_down(0.5, 0.0, 0.02), 0.0, 0.0005) is not None
 
 
+def test_what_is_carried_keeps_farther_from_what_it_passes_than_from_where_it_is_put(cell_of):
+    cell = cell_of(red_block=(0.5, 0.0), cracker_box=(0.5, -0.3))
+    physics, top = cell.physics, cell.physics.bodies["cracker box"].height
+    address = physics.bodies["red block"].qpos_address
+    joints = pointing_down(0.5, 0.0, 0.32)
+    physics.data.qpos[physics.arm.arm_part] = joints
+    physics.data.qpos[address : address + 3] = 0.5, 0.0, 0.3
+    close = pointing_down(0.5, -0.3, 0.32 - 0.3 + top + 0.004)
+    cell.collisions.refresh()
+    with cell.collisions.carrying("red block"):
+        passing = cell.collisions.find(close, 0.04, CLEARANCE)
+        lowering = cell.collisions.find(close, 0.04, LOWERING)
+    assert str(passing) == "red block with cracker box"
+    assert lowering is None
+
+
 def test_beliefs_follow_what_happens(tabletop, scene_of, carry_out):
     world = tabletop.open(scene_of(strawberry=(0.5, 0.2), bowl=(0.5, -0.1), book=(0.35, 0.0)), 0)
     cell = world._cell
@@ -108,6 +126,15 @@ def test_beliefs_follow_what_happens(tabletop, scene_of, carry_out):
     assert held
     assert cell.relations.facts() == cell.truth.facts() == {wanted}
     assert cell.relations.holds(Relation("left_of", ("book", "bowl")))
+
+
+def test_what_leans_on_a_container_from_the_table_is_not_taken_to_be_in_it(cell_of):
+    cell = cell_of(bowl=(0.5, 0.1), knife=(0.3, -0.3))
+    address, half = cell.physics.bodies["knife"].qpos_address, np.radians(40) / 2
+    pose = (0.43, 0.1, 0.07, np.cos(half), 0.0, -np.sin(half), 0.0)
+    cell.physics.data.qpos[address : address + 7] = pose
+    assert cell.look_at("knife", "bowl")["knife"].lowest[2] < 0.012
+    assert not cell.relations.holds(Relation("in", ("knife", "bowl")))
 
 
 def test_who_takes_one_object_for_another_moves_the_wrong_one(tabletop, scene_of, carry_out):

@@ -9,6 +9,8 @@ from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
 from app.domain.world import Stage
 from app.worlds.simulators.mujoco.cloud import Cloud
+from app.worlds.simulators.mujoco.collision import WIDEST_MARGIN
+from app.worlds.simulators.mujoco.level import Level
 from app.worlds.simulators.mujoco.motion import free_path
 from app.worlds.simulators.mujoco.picking import CLEARANCE
 from app.worlds.simulators.mujoco.placing import Placing
@@ -27,8 +29,8 @@ EMPTY = 0.001
 """Fingers this close to the middle hold nothing [m]."""
 BELOW_TABLE = -0.05
 """What is seen at this height has fallen off the table [m]."""
-ON_THE_WAY = 0.0
-"""Clearance of the arm on its way home, since it may start out close to something [m]."""
+ON_THE_WAY = (WIDEST_MARGIN, 0.0)
+"""Clearances of the arm on its way home, tried in turn, since it may start out close to something [m]."""
 
 
 class Manoeuvre:
@@ -64,20 +66,23 @@ class Manoeuvre:
             if self._held():
                 yield from self._during("release", manipulator.open())
             collisions.recall()
-            opening = physics.opening
-            path = free_path(
-                physics.arm,
-                physics.joints,
-                physics.arm.home,
-                lambda q: collisions.find(q, opening, ON_THE_WAY) is not None,
-                self._rng,
-            )
-            straight = np.array([physics.joints, physics.arm.home])
-            yield from self._during(
-                "home", manipulator.follow(straight if path is None else path, FREE_SPEED)
-            )
+            yield from self._during("home", manipulator.follow(self._way_home(), FREE_SPEED))
         if physics.commanded_opening < physics.arm.largest_opening - 1e-9:
             yield from self._during("home", manipulator.open())
+
+    def _way_home(self) -> Array:
+        """Corner points of the way, shape (n, joints) [rad]: straight where none is found."""
+        physics, collisions = self._cell.physics, self._cell.collisions
+        start, home, opening = physics.joints, physics.arm.home, physics.opening
+        for clearance in ON_THE_WAY:
+
+            def blocked(joints: Array, clearance: float = clearance) -> bool:
+                return collisions.find(joints, opening, clearance) is not None
+
+            path = free_path(physics.arm, start, home, blocked, self._rng)
+            if path is not None:
+                return path
+        return np.array([start, home])
 
     def _go_home_loaded(self, item: str) -> Iterator[Stage]:
         """Bring the arm home with an object in the gripper.
@@ -88,14 +93,14 @@ class Manoeuvre:
         physics, collisions = self._cell.physics, self._cell.collisions
         collisions.refresh()
         opening = physics.opening
+        level = Level(physics, item) if item in physics.beads else None
+
+        def blocked(joints: Array) -> bool:
+            spills = level is not None and level.lost(joints)
+            return spills or collisions.find(joints, opening, CLEARANCE) is not None
+
         with collisions.carrying(item):
-            path = free_path(
-                physics.arm,
-                physics.joints,
-                physics.arm.home,
-                lambda q: collisions.find(q, opening, CLEARANCE) is not None,
-                self._rng,
-            )
+            path = free_path(physics.arm, physics.joints, physics.arm.home, blocked, self._rng)
         if path is None:
             raise ActionFailure("home", f"no path home with {item} was found")
         yield from self._during("home", self._cell.manipulator.follow(path, CARRY_SPEED))

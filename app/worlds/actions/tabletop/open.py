@@ -1,18 +1,10 @@
-from collections.abc import Iterator
-
-import numpy as np
-
-from app.domain.action import ActionSignature, Effects, Parameter
-from app.domain.condition import Relation
-from app.domain.world import Stage
-from app.worlds.actions.operating import Operating
-from app.worlds.actions.preconditions import require_free_gripper, require_shutting
+from app.domain.action import ActionSignature, Parameter
+from app.worlds.actions.shutting import Shutting
 from app.worlds.actions.tabletop import actions
-from app.worlds.simulators.mujoco.workcell import Workcell
 
 
 @actions.register("open")
-class Open:
+class Open(Shutting):
     """Opens a drawer, a door or a lid by its handle."""
 
     signature = ActionSignature(
@@ -20,24 +12,4 @@ class Open:
         parameters=(Parameter(name="obj"),),
         meaning="Open obj, which has a drawer, a door or a lid.",
     )
-
-    def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:
-        """It is open.
-
-        Raises:
-            ActionFailure: it is nothing that opens and closes, or the gripper holds something.
-        """
-        (item,) = arguments
-        require_shutting(Relation("shuts", (item,)) in facts, item)
-        require_free_gripper(facts)
-        return Effects(
-            adds=frozenset({Relation("open", (item,))}),
-            removes=frozenset({Relation("closed", (item,))}),
-        )
-
-    def perform(self, cell: Workcell, rng: np.random.Generator, *arguments: str) -> Iterator[Stage]:
-        (item,) = arguments
-        require_shutting(cell.physics.bodies[item].articulation is not None, item)
-        require_free_gripper(cell.relations.facts())
-        if not cell.relations.holds(Relation("open", (item,))):
-            yield from Operating(cell, rng, item, "open").run()
+    wanted, undone = "open", "closed"

@@ -14,7 +14,7 @@ from app.worlds.simulators.mujoco.workcell import Workcell
 
 @actions.register("pour")
 class Pour:
-    """Pours what is in one vessel into another, and puts it back."""
+    """Pours what is in one vessel into another, and puts it back unless it was held before."""
 
     signature = ActionSignature(
         name="pour",
@@ -23,15 +23,15 @@ class Pour:
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:
-        """The contents are in the target; both stand where they stood.
+        """The contents are in the target; both are where they were, be it in the gripper.
 
         Raises:
-            ActionFailure: it cannot be poured there, or the gripper holds something.
+            ActionFailure: it cannot be poured there, or the gripper holds something else.
         """
         source, target = arguments
         refuse_itself(source, target, "poured into")
         refuse_circle(facts, source, target)
-        require_free_gripper(facts)
+        require_free_gripper(facts, source)
         for name in (source, target):
             if Relation("container", (name,)) not in facts:
                 raise ActionFailure("check", f"{name} is no container")
@@ -42,7 +42,7 @@ class Pour:
         facts = cell.relations.facts()
         refuse_itself(source, target, "poured into")
         refuse_circle(facts, source, target)
-        require_free_gripper(facts)
+        require_free_gripper(facts, source)
         for name in (source, target):
             if cell.physics.bodies[name].opening is None:
                 raise ActionFailure("check", f"{name} is no container")

@@ -13,7 +13,7 @@ from scipy.spatial import KDTree
 
 from app.domain.condition import Relation
 from app.domain.errors import ActionFailure
-from app.worlds.simulators.mujoco.cameras import Cameras
+from app.worlds.simulators.mujoco.cameras import FEWEST, Cameras
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.outline import Outline, SeenOutlines
 from app.worlds.simulators.mujoco.physics import Physics
@@ -93,6 +93,8 @@ class Beliefs:
 
     def _cloud(self, name: str) -> Cloud:
         clouds = self._cameras.current()
+        if name not in clouds:  # too thin for a look from afar
+            clouds = self._cameras.look(name)
         if name not in clouds:
             raise ActionFailure(
                 "look", f"{name} is hidden or has fallen off the table: no camera sees it"
@@ -126,8 +128,11 @@ class Beliefs:
         low, high = clouds[item].lowest, clouds[item].highest
         if float(outline.inset((low[:2] + high[:2]) / 2)) <= 0:
             return False
+        inset = outline.inset(clouds[item].points[:, :2])
+        if (clouds[item].points[inset < -RESTING, 2] < RESTING).sum() >= FEWEST:
+            return False  # it leans on the container from the table
         # Its underside may be hidden; what does not reach out over the rim cannot lie across it.
-        inside = float(np.quantile(outline.inset(clouds[item].points[:, :2]), 0.02)) > 0
+        inside = float(np.quantile(inset, 0.02)) > 0
         if body.opening.flat or inside or float(low[2]) < outline.rim - SUNK:
             return float(low[2]) < outline.rim + HEAP or body.opening.flat
         return float(low[2]) < outline.rim + HEAP and self._on_contents(

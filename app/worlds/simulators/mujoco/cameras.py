@@ -35,6 +35,13 @@ MARGIN = 0.02
 """How far around an object a close-up reaches, since the overview sees it coarsely [m]."""
 FEWEST = 3
 """An object seen by fewer pixels counts as not seen."""
+SEARCHED = 0.10
+"""So far around the tool, what is not seen otherwise is looked for [m]."""
+PARTS = tuple((0.42, y, 0.02) for y in (-0.45, -0.15, 0.15, 0.45))
+PART = 0.25
+"""Middles of the parts into which the table is divided for that, and their radius [m]."""
+COVERED = 0.015
+"""By so much, coarse clouds of one object may differ in extent [m]."""
 LIFTED = 0.05
 """What is all above this height is looked at from below as well [m]."""
 _NEIGHBOURHOODS = {OVERVIEW: 1, CLOSE_UP: 2, GLIMPSE: 1}
@@ -76,22 +83,42 @@ class Cameras:
         self._noise = perception.noise if perception.source == "cameras" else 0.0
         self._detector = self._detecting(detector, perception.confusion)
         self._seen: dict[str, Cloud] = {}
+        self._earlier: dict[str, Cloud] = {}
+        """Where each object was last seen during the action under way."""
         self._close: set[str] = set()
         self._moment, self._woken = (-1, b""), -1
 
     def look(self, *names: str) -> dict[str, Cloud]:
         """Clouds of what is seen, the named ones and what is next to them from close up."""
         if self._moment != self._now() or self._woken != self._physics.woken:
-            self._moment, self._woken = self._now(), self._physics.woken
+            kept = self._earlier | self._seen if self._woken == self._physics.woken else {}
+            self._moment, self._woken, self._earlier = self._now(), self._physics.woken, kept
             self._seen, self._close = self.overview(), set[str]()
         for name in names:
+            if name not in self._seen:
+                self._search(name)
             if name not in self._seen or name in self._close:
                 continue
             self._close.add(name)
             for other, cloud in self.close_up(self._seen[name]).items():
+                known = self._seen.get(other, cloud)
                 # At the edge of a close-up, only a part of a neighbour may be in view.
-                self._seen[other] = max(cloud, self._seen.get(other, cloud), key=len)
+                if other == name or _covers(cloud, known):
+                    self._seen[other] = max(cloud, known, key=len)
         return dict(self._seen)
+
+    def _search(self, name: str) -> None:
+        """Look for what is too thin for the overview: in the gripper, where it was, all over."""
+        arm, joints = self._physics.arm, self._physics.joints
+        balls = [(arm.forward(joints)[:3, 3], SEARCHED)]
+        if name in self._earlier:
+            balls.append(_ball(self._earlier[name]))
+        balls += [(np.array(part), PART) for part in PARTS]
+        for centre, radius in balls:
+            found = self._everything(centre, radius, CLOSE_UP)
+            if name in found:
+                self._seen[name] = found[name]
+                return
 
     def overview(self) -> dict[str, Cloud]:
         """A coarse cloud of every object that is seen; what is not over the table is looked for."""
@@ -111,8 +138,7 @@ class Cameras:
     def close_up(self, cloud: Cloud) -> dict[str, Cloud]:
         """Fine clouds of what is at the place of ``cloud``, from every camera."""
         data = self._physics.stand()
-        centre = (cloud.lowest + cloud.highest) / 2
-        radius = float(np.linalg.norm(cloud.points - centre, axis=1).max()) + MARGIN
+        centre, radius = _ball(cloud)
         lifted = cloud.lowest[2] > LIFTED
         images: list[tuple[Camera, _Hits]] = []
         for camera in (*CAMERAS, *LOW_CAMERAS) if lifted else CAMERAS:
@@ -123,8 +149,12 @@ class Cameras:
 
     def glimpse(self, centre: Array, radius: float) -> dict[str, Cloud]:
         """What there is in a ball, shape (3,) [m], at little cost: few pixels, too few for shapes."""
+        return self._everything(centre, radius, GLIMPSE)
+
+    def _everything(self, centre: Array, radius: float, size: tuple[int, int]) -> dict[str, Cloud]:
+        """What all pixels of images of a ball show, each of so many columns and rows."""
         data = self._physics.stand()
-        everywhere = np.ones(GLIMPSE, bool)
+        everywhere = np.ones(size[::-1], bool)
         views = [camera.zoomed(centre, radius) for camera in CAMERAS]
         return self._clouds([(view, self._cast(data, view, everywhere)) for view in views])
 
@@ -196,6 +226,18 @@ class Cameras:
         points = np.stack([a[columns] * depths, b[rows] * depths, depths], axis=1)
         cloud = Cloud(position + points @ axes, hits.normals[rows, columns])
         return hits.labels[rows, columns], cloud
+
+
+def _covers(cloud: Cloud, other: Cloud) -> bool:
+    """Whether a cloud reaches about as far as another of the same object."""
+    low = cloud.lowest < other.lowest + COVERED
+    return bool((low & (cloud.highest > other.highest - COVERED)).all())
+
+
+def _ball(cloud: Cloud) -> tuple[Array, float]:
+    """The middle of a cloud, shape (3,), and how far around it a close-up reaches [m]."""
+    centre = (cloud.lowest + cloud.highest) / 2
+    return centre, float(np.linalg.norm(cloud.points - centre, axis=1).max()) + MARGIN
 
 
 @cache

@@ -1,7 +1,7 @@
 """Destination: where in a container, or on top of an object, there is room for another."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from app.domain.errors import ActionFailure
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.outline import Outline, Outlines
-from app.worlds.simulators.mujoco.relief import CELL, Relief, Spot
+from app.worlds.simulators.mujoco.relief import CELL, SUNK, Relief, Spot
+from app.worlds.simulators.mujoco.rotation import about
 from app.worlds.simulators.mujoco.scene_builder import ObjectBody
 
 Array = NDArray[np.float64]
@@ -23,6 +24,10 @@ HEAP, FLAT_HEAP = 0.015, 0.06
 on a flat one [m]."""
 SPOTS_EACH = 4
 """So many spots are considered for each turn of the object."""
+LEANS = np.radians([15, -15, 25, -25, 35, -35])
+"""How far either end of what is too long to lie in a container may be let down first [rad]."""
+LEAN_COST = 0.1
+"""What leaning costs, in metres of height [m/rad]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +37,10 @@ class Landing:
     turn: float
     """About the vertical, from how it is now [rad]."""
     spot: Spot
+    lean: Array = field(default_factory=lambda: np.eye(3))
+    """How it is tilted before it is turned, a rotation, shape (3, 3)."""
+    sunk: float = 0.0
+    """How far tilting brings its lowest point below where it was [m]."""
 
 
 class Destination:
@@ -77,17 +86,42 @@ class Destination:
         Raises:
             ActionFailure: it is too large, or there is no room left.
         """
-        found: list[Landing] = []
         relative = points - np.append(middle, points[:, 2].min())
+        found = self._found(relative, turns)
+        if not found or _lowest(found) > self._across - SUNK:
+            # Lying, it would stay on the rim: one end goes down inside.
+            found += self._leaning(relative, turns)
+        if not found or _lowest(found) > self.rim + self._heap:
+            raise ActionFailure("place", f"there is no room left in {self._body.name}")
+        return sorted(found, key=lambda landing: landing.spot.cost)
+
+    def _found(self, relative: Array, turns: Array) -> list[Landing]:
+        found: list[Landing] = []
         for turn in turns.tolist():
             cosine, sine = np.cos(turn), np.sin(turn)
             under = relative.copy()
             under[:, :2] = relative[:, :2] @ np.array([[cosine, sine], [-sine, cosine]])
             spots = self.relief.spots(under, self.centre, self._across)[:SPOTS_EACH]
             found += [Landing(turn, spot) for spot in spots]
-        if not found or min(landing.spot.height for landing in found) > self.rim + self._heap:
-            raise ActionFailure("place", f"there is no room left in {self._body.name}")
-        return sorted(found, key=lambda landing: landing.spot.cost)
+        return found
+
+    def _leaning(self, relative: Array, turns: Array) -> list[Landing]:
+        found: list[Landing] = []
+        for angle in LEANS.tolist():
+            lean = about(_crosswise(relative), angle)
+            leant = relative @ lean.T
+            sunk = -float(leant[:, 2].min())
+            dear = LEAN_COST * abs(angle)
+            found += [
+                replace(
+                    landing,
+                    spot=replace(landing.spot, cost=landing.spot.cost + dear),
+                    lean=lean,
+                    sunk=sunk,
+                )
+                for landing in self._found(leant + np.array([0.0, 0.0, sunk]), turns)
+            ]
+        return found
 
     def _take_opening(self, outline: Outline) -> None:
         self.rim, self.centre = outline.rim, outline.centre
@@ -101,3 +135,13 @@ class Destination:
             raise ActionFailure("place", reason)
         self.relief.allow(level)
         self.centre = self.relief.places[level].mean(axis=0)
+
+
+def _lowest(landings: list[Landing]) -> float:
+    return min(landing.spot.height for landing in landings)
+
+
+def _crosswise(points: Array) -> Array:
+    """The level direction across what is long, of points (n, 3); shape (3,)."""
+    flat = points[:, :2] - points[:, :2].mean(axis=0)
+    return np.append(np.linalg.eigh(flat.T @ flat)[1][:, 0], 0.0)

@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +19,7 @@ from app.worlds.simulators.mujoco.collision import Collisions
 from app.worlds.simulators.mujoco.motion import free_path
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.picking import CLEARANCE, TOUCHING
+from app.worlds.simulators.mujoco.rotation import about
 from app.worlds.simulators.mujoco.scene_builder import ObjectBody
 
 Array = NDArray[np.float64]
@@ -30,8 +30,8 @@ BRANCHES = 24
 """So many of the arm's postures over the fin are tried."""
 STEP = 0.008
 """Distance of neighbouring poses along the way of the fin [m]."""
-TILTS = np.radians([0, 20, 35])
-"""How far the hand may lean away from the front of what it opens [rad]."""
+TILTS = np.radians([0, 20, -20, 35, -35])
+"""How far the hand may lean away from the front of what it opens, or towards it [rad]."""
 WIDE = 0.025
 """How far each finger is from the middle around the fin [m]."""
 DRIFTS = np.linspace(-0.12, 0.12, 9)
@@ -110,7 +110,7 @@ class Handle:
         if shape.joint == "slide":
             place = place + axis * value
         else:
-            turn = _turn(axis, value)
+            turn = about(axis, value)
             place = np.array(shape.pivot) + turn @ self._arm()
             across = turn @ across
         return self._pose[:3, :3] @ place + self._pose[:3, 3], self._pose[:3, :3] @ across
@@ -173,14 +173,6 @@ class Handle:
 
 
 _TOO_FAR = "the arm cannot get there"
-
-
-def _turn(axis: Array, angle: float) -> Array:
-    """The rotation about an axis by an angle [rad], shape (3, 3)."""
-    quaternion, turn = np.zeros(4), np.zeros(9)
-    mujoco.mju_axisAngle2Quat(quaternion, axis, angle)
-    mujoco.mju_quat2Mat(turn, quaternion)
-    return turn.reshape(3, 3)
 
 
 def _follow(arm: Arm, poses: list[Array], joints: Array) -> Array | None:

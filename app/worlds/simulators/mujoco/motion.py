@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 Blocked = Callable[[Array], bool]
 """Whether the arm would hit something at these joint angles, shape (joints,) [rad]."""
 
-RESOLUTION = 0.06
+RESOLUTION = 0.03
 """The most a joint turns between two checks along an edge [rad]."""
 STRIDE = 0.25
 """The most a joint turns from one node of a tree to the next [rad]."""

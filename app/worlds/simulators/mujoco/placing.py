@@ -19,8 +19,9 @@ Array = NDArray[np.float64]
 
 HOVER = 0.05
 """Lowering begins so far above the rim [m]."""
-GAPS = ((0.004, 0.015), (0.03, 0.05))
-"""Heights above the spot to let go at; the second pair only where the first cannot be reached [m]."""
+GAPS = ((0.004, 0.015), (0.03, 0.05), (0.075, 0.1))
+"""Heights above the spot to let go at; a later pair only where the earlier ones cannot be reached,
+since the gripper does not fit between the walls of what is deep and narrow [m]."""
 MOST = 24
 """So many landings are examined."""
 LOWERING = 0.001
@@ -155,6 +156,10 @@ class Placing:
 
 def _over(tool: Array, middle: Array, landing: Landing) -> Array:
     """The tool's pose where the held object rests on a spot, turned as it is to be."""
-    pose = turned(tool, middle, landing.turn)
-    pose[:3, 3] += np.array([landing.spot.x, landing.spot.y, landing.spot.height]) - middle
+    leant = tool.copy()
+    leant[:3, :3] = landing.lean @ tool[:3, :3]
+    leant[:3, 3] = middle + landing.lean @ (tool[:3, 3] - middle)
+    pose = turned(leant, middle, landing.turn)
+    spot = landing.spot
+    pose[:3, 3] += np.array([spot.x, spot.y, spot.height + landing.sunk]) - middle
     return pose

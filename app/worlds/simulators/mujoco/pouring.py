@@ -1,15 +1,19 @@
 """Pouring: how a held vessel is brought over a place and tilted there, its lip staying over it."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.domain.errors import ActionFailure
 from app.worlds.simulators.mujoco.collision import Collisions
-from app.worlds.simulators.mujoco.motion import free_path
+from app.worlds.simulators.mujoco.level import Level
+from app.worlds.simulators.mujoco.motion import Blocked, free_path
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.picking import BRANCHES, CLEARANCE
+from app.worlds.simulators.mujoco.righting import onto_vertical, up_axis
 
 Array = NDArray[np.float64]
 
@@ -17,7 +21,11 @@ TILTS = np.radians(np.arange(0, 111, 5))
 """On the way from upright to emptied [rad]."""
 TOWARDS = np.radians(np.arange(0, 360, 20))
 """Where the lip may point [rad]."""
-ABOVE = (0.03, 0.05)
+EMPTIED = np.radians(100)
+"""From this tilt on nothing stays inside, even where walls taper [rad]."""
+SHORT = (0.0, 0.025)
+"""How far before the middle of the target's mouth the lip may be; what runs out flies on [m]."""
+ABOVE = (0.03, 0.05, 0.08)
 """Between the target's rim and the lowest of the vessel [m]."""
 LARGEST_TURN = 0.45
 """The most a joint may turn from one tilt to the next [rad]."""
@@ -44,7 +52,7 @@ class Pouring:
         """The first way that can be carried out.
 
         Args:
-            name: what is held, upright.
+            name: what is held, its mouth up.
             over: the middle of the target's mouth, shape (3,), base frame [m].
 
         Raises:
@@ -56,38 +64,50 @@ class Pouring:
         radius, rim = body.opening.radius, body.opening.rim
         foot = data.xpos[body.body_id].copy()
         start, opening = self._physics.joints, self._physics.opening
+        # A grasp that slants leaves it leaning in the gripper: pouring begins once it stands.
+        upright = onto_vertical(up_axis(self._physics, name))
         tool = self._arm.forward(start)
+        tool[:3, :3] = upright @ tool[:3, :3]
+        tool[:3, 3] = foot + upright @ (tool[:3, 3] - foot)
+        level = Level(self._physics, name)
         self._collisions.refresh()
 
         def blocked(joints: Array) -> bool:
             return self._collisions.find(joints, opening, CLEARANCE) is not None
 
+        def spilling(joints: Array) -> bool:
+            return level.lost(joints) or blocked(joints)
+
         with self._collisions.carrying(name):
-            for gap in ABOVE:
-                for towards in TOWARDS:
-                    ahead = np.array([np.cos(towards), np.sin(towards), 0.0])
-                    lip = foot + radius * ahead + (0.0, 0.0, rim)
-                    poses = [_tilted(tool, lip, ahead, tilt) for tilt in TILTS]
-                    for pose, tilt in zip(poses, TILTS, strict=True):
-                        pose[:3, 3] += over
-                        pose[2, 3] += gap + rim * max(0.0, float(np.cos(tilt)))
-                    for joints in self._arm.inverse(poses[0], start)[:BRANCHES]:
-                        path = self._followed(poses, joints)
-                        if path is None or any(blocked(each) for each in path):
-                            continue
-                        carry = free_path(self._arm, start, joints, blocked, self._rng)
-                        if carry is not None:
-                            return Poured(carry, path)
+            for gap, short, towards in product(ABOVE, SHORT, TOWARDS):
+                ahead = np.array([np.cos(towards), np.sin(towards), 0.0])
+                lip = foot + radius * ahead + (0.0, 0.0, rim)
+                place = over - short * ahead + (0.0, 0.0, gap)
+                poses = [_tilted(tool, lip, ahead, tilt) for tilt in TILTS]
+                for pose, tilt in zip(poses, TILTS, strict=True):
+                    pose[:3, 3] += place
+                    pose[2, 3] += rim * max(0.0, float(np.cos(tilt)))
+                for path in self._paths(poses, start, blocked):
+                    carry = free_path(self._arm, start, path[0], spilling, self._rng)
+                    if carry is not None:
+                        return Poured(carry, path)
         raise ActionFailure("pour", f"no way to tilt {name} over there was found")
+
+    def _paths(self, poses: list[Array], start: Array, blocked: Blocked) -> Iterator[Array]:
+        """Joint angles through the poses, shapes (n, joints), that are free of collisions."""
+        for joints in self._arm.inverse(poses[0], start)[:BRANCHES]:
+            path = self._followed(poses, joints)
+            if path is not None and not any(map(blocked, path)):
+                yield path
 
     def _followed(self, poses: list[Array], joints: Array) -> Array | None:
         path = [joints]
         for pose in poses[1:]:
             found = self._arm.inverse(pose, path[-1])
             if len(found) == 0 or np.abs(found[0] - path[-1]).max() > LARGEST_TURN:
-                return None
+                break
             path.append(found[0])
-        return np.array(path)
+        return np.array(path) if TILTS[len(path) - 1] >= EMPTIED else None
 
 
 def _tilted(tool: Array, lip: Array, ahead: Array, tilt: float) -> Array:

@@ -22,7 +22,7 @@ TALL_TILTS = np.radians([40, 55, 20, 0])
 """The same for a tall object, which the hand must stay behind: pushed high up, it would topple."""
 PALM = 0.035
 """The palm is so far above the finger tips [m]."""
-LOWEST_TIP = 0.013
+LOWEST_TIP = 0.0105
 """Of the point between the finger tips above the table [m]."""
 CONTACT = (0.4, 0.035)
 """Where an object is pushed: this share of its height, at most so high [m]."""

@@ -67,7 +67,7 @@ class Righting:
             ActionFailure: there is none.
         """
         points, middle = self._collisions.shape(name)
-        rotation = _onto_vertical(up_axis(self._physics, name))
+        rotation = onto_vertical(up_axis(self._physics, name))
         upright = (points - middle) @ rotation.T
         tool = self._arm.forward(self._physics.joints)
         stood = np.eye(4)
@@ -119,7 +119,7 @@ class Righting:
                     yield Righted(carry, lower, back)
 
 
-def _onto_vertical(axis: Array) -> Array:
+def onto_vertical(axis: Array) -> Array:
     """The least rotation that turns an axis up, shape (3, 3)."""
     up = np.array([0.0, 0.0, 1.0])
     cross = np.cross(axis, up)

@@ -15,6 +15,7 @@ from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.collision import Collision, Collisions
 from app.worlds.simulators.mujoco.height_map import CELL, CORNER, COUNT, HeightMap
 from app.worlds.simulators.mujoco.physics import Physics
+from app.worlds.simulators.mujoco.picking import CLEARANCE
 from app.worlds.simulators.mujoco.scene_builder import furnished
 
 Array = NDArray[np.float64]
@@ -22,7 +23,9 @@ Array = NDArray[np.float64]
 THINNED = 300
 """So many points stand for an object close to the gripper [-]."""
 OVERLAP = 0.004
-"""How deep the points of what is carried may be in what was seen, both being uncertain [m]."""
+"""How deep the points of what is put down may be in what was seen, both being uncertain [m]."""
+PASSING = 0.012
+"""On its way, what is carried stays so far above what was seen; it hangs lower than it looked [m]."""
 SKIN = 0.001
 """How deep points may be in the gripper [m]."""
 STRAY = 3
@@ -100,7 +103,8 @@ class SeenCollisions(Collisions):
         if self._load is not None:
             name, local = self._load
             points = local @ tool[:3, :3].T + tool[:3, 3]
-            inside = points[:, 2] < self._map.below(points) - OVERLAP
+            gap = PASSING if clearance >= CLEARANCE else -OVERLAP
+            inside = points[:, 2] < self._map.below(points) + gap
             if inside.sum() >= STRAY:
                 return Collision(name, self._map.owner(points[inside].mean(axis=0)))
         if self._grasped is not None:
