@@ -20,6 +20,8 @@ FILE = Path(__file__).parents[3] / "static" / "knowledge" / "languages.json"
 _ARTICLES = word_list("articles")
 _ELIDED = re.compile(r"\b[ldLD]['\u2019](?=\w)")
 _ADJECTIVES = word_list("adjectives")
+_JOINTS = ("", "n", "en", "s", "e", "er")
+"""What stands between the two words of a compound."""
 _ENDINGS = ("en", "er", "es", "em", "e", "n", "s", "i")
 """What a plural or a case adds."""
 
@@ -76,7 +78,21 @@ def _meanings(word: str) -> tuple[str, ...]:
             return table.get(stem) or table[f"{stem}e"]
     if match := re.fullmatch(r"(.+)([aeou])([^aeiou])en", word):  # Dutch potloden of potlood
         return table.get(f"{match[1]}{match[2] * 2}{match[3]}", ())
-    return ()
+    return _compound(word)
+
+
+def _compound(word: str) -> tuple[str, ...]:
+    """A word of two in one, as German and Dutch make them: the Küchenschublade is a kitchen drawer."""
+    table = _table()
+    found: list[str] = []
+    for cut in range(3, len(word) - 3):
+        second = table.get(word[cut:], ())
+        stems = [word[:cut].removesuffix(joint) for joint in _JOINTS if second]
+        first = [
+            one for stem in stems for form in (stem, f"{stem}e") for one in table.get(form, ())
+        ]
+        found += [f"{one} {other}" for one in first for other in second]
+    return tuple(dict.fromkeys(found))
 
 
 @cache

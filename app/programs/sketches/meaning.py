@@ -25,10 +25,13 @@ SITUATED, LEAD = 0.35, 0.1
 """The likeness to a situation that is told beside, and how far the likeliest has to be ahead."""
 _WISH = re.compile(
     r"\b(?:what(?:ever)?|(?:some|any)thing|the (?:thing|one|object|item|tool|implement|gadget|device))"
-    r"(?: that| which)? (?:i|you|we|people|one|they|he|she|to|for)\b[^,.;:!?]*?"
+    r"(?: that| which)? (?:(?:i|you|we|people|one|they|he|she|to|for)\b|\w+s (?:you|me|us|one)\b)"
+    r"[^,.;:!?]*?"
     r"(?=,|\.|;|:|!|\?| should | must | goes? | belongs? | needs? | wants? | has | is | in the | into | on the )",
     re.I,
 )
+_SEEN = frozenset(("see", "find", "have", "got", "left", "right", "like", "there"))
+"""Verbs of clauses that tell no use."""
 _WHATEVER = frozenset(("whatever", "everything", "anything", "all", "things"))
 _CLAUSE_WORDS = frozenset(("for", "to", "that", "which", "you", "i", "we", "with", "made", "used"))
 _SAID_OF_ALL = word_list("said of all")
@@ -81,6 +84,14 @@ class Meaning:
         clauses = (match[0] for match in _WISH.finditer(self._sentence))
         clause = next((each for each in clauses if said <= set(words(each))), None)
         return self._told_by(clause, without) if clause else []
+
+    def told_in_passing(self, described: Description, without: Collection[str]) -> Fits:
+        """For nothing but "things": what the sentence's one clause of a use tells of."""
+        told = described.colours or described.materials or described.sizes or described.side
+        clauses = [match[0] for match in _WISH.finditer(self._sentence)]
+        if told or described.excluded or len(clauses) != 1 or _SEEN & set(words(clauses[0])):
+            return []
+        return self._told_by(clauses[0], without)
 
     def _called_for(self, described: Description, without: Collection[str]) -> Fits:
         """What a situation calls for: "rain is forecast; pack what I will need"."""

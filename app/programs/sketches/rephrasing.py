@@ -25,12 +25,16 @@ _DEEDS = {"shove": "push", "nudge": "push", "prod": "push"}
 _ONLY = re.compile(r",? and only (?:the )?[\w-]+,?(?= )", re.I)
 _INTRODUCED = re.compile(
     r"^(?P<before>(?:.*[.!?:;] )?)(?:there(?: are|'re| is|'s)|here are|of (?:the|my|our|your|these|those)|"
+    r"(?:do you |you can )?see (?:the|my|our|these|those)|"
     r"you(?:'ll)? (?:see|have)|i(?:'ve| have)(?: got)?) "
-    r"(?:all )?(?:two|three|four|five|six|several|some|a few|a pair of|a row of) (?:\w+ )?"
-    r"(?P<noun>[a-z-]+s|mice|knives|shelves|loaves)\b[^.,:;!?]*[.,:;!?]\s+",
+    r"(?:all )?(?:two|three|four|five|six|several|some|a few|a pair of|a row of) "
+    r"(?P<noun>(?:[a-z-]+ )?[a-z-]+s|mice|knives|shelves|loaves)\b[^.,:;!?]*[.,:;!?]\s+",
     re.I,
 )
-_ONE = re.compile(r"\b(the (?:very )?[\w-]+) one\b", re.I)
+_ONE = re.compile(
+    r"\b(the (?:very )?[\w-]+) one\b|\b(the) one(?= (?:in|on|at|to|with|that|nearest|furthest)\b)",
+    re.I,
+)
 _OTHER = re.compile(r"\bthe other\b(?! \w+s? (?:goes|belongs|in|into|on|onto|is)\b)", re.I)
 
 
@@ -42,6 +46,21 @@ _NEEDED = re.compile(
 _NEEDS = {"shutting": "close", "shut": "close", "emptying": "empty"}
 _BAR = re.compile(
     r"(?<=\w) (?:bar|save for|excluding|not counting|minus) (?=(?:the|my|that|those)\b)"
+)
+_IF = re.compile(
+    r"^(?:so )?if (?:it|something|anything|a thing|they|things)(?:'s| is|'re| are)? "
+    r"(?P<so>[^,]+),? (?:then )?(?:it|they|that) (?P<goes>goes?|belongs?|should|must|can)\b",
+    re.I,
+)
+_ASIDE = re.compile(r"\s*\((?:only|just|not|mind|no|the|and)\b[^()]*\)", re.I)
+_OTHERS_STAY = re.compile(
+    r"[,;]? and (?:the )?(?:others?|rest|other \w+|remaining \w+|remainder) "
+    r"(?:can |should |must |may )?(?:stays?|remains?|(?:is|are|be) left)\b[^.;]*|"
+    r"[,;]? and (?:keep|leave|save) the (?:fourth|third|fifth|last|other)\b[^.;]*",
+    re.I,
+)
+_COLON_LIST = re.compile(
+    r"(?:(?<=^)|(?<=[.!;] ))(?P<what>[A-Z][\w' -]*): (?P<where>(?:the )?[\w' -]+)(?=[.;]|$)"
 )
 _LISTED = re.compile(r"^(?P<before>[^:.!?]*\b(?P<last>\w+))\s*:\s+(?P<list>.+)$")
 _INTRODUCING = word_list("introducing")
@@ -59,7 +78,11 @@ def rephrased(sentence: str) -> str:
     text = _CORRECTION.sub(r"\1 ", sentence)
     text = _GIVEN.sub(lambda found: f"{_deed(found['deed'])} {found['what']}", text)
     text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
-    text = _BAR.sub(" except ", _ONLY.sub("", text))
+    text = _BAR.sub(" except ", _ONLY.sub("", _ASIDE.sub("", text)))
+    text = _IF.sub(lambda found: f"everything {found['so']} {found['goes']}", text)
+    text = _OTHERS_STAY.sub("", text)
+    if len(_COLON_LIST.findall(text)) > 1:
+        text = _COLON_LIST.sub(lambda found: f"put {found['what']} in {found['where']}", text)
     return _introduced(_without_stays(_listed(text)))
 
 
@@ -100,5 +123,5 @@ def _introduced(text: str) -> str:
     if not _ONE.search(rest):
         return text
     noun = singular(plain(match["noun"]))
-    rest = _OTHER.sub(f"the other {noun}", _ONE.sub(rf"\1 {noun}", rest))
+    rest = _OTHER.sub(f"the other {noun}", _ONE.sub(lambda one: f"{one[1] or one[2]} {noun}", rest))
     return match["before"] + rest

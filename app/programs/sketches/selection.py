@@ -37,6 +37,7 @@ from app.programs.sketches.qualities import (
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import LIKELY, UNKNOWN, Thing, listed
 
+_MODALS = frozenset(("can", "could", "will", "would", "should", "must", "may", "goes", "go", "is"))
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (
     r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
@@ -98,6 +99,8 @@ class Selection:
         if len(equal) > 1 and holds:
             equal = [thing for thing in equal if is_container(thing)] or equal
         equal = self._twins(equal, phrase, found, best)
+        if len(equal) > 1 and "other" in words(self.sentence):
+            equal = [t for t in equal if t.name not in self.spoken] or equal
         if len(equal) > 1 and not self.indefinite(phrase.text):
             raise self.ambiguous(phrase.text, equal)
         return Found((equal[0],), best)
@@ -187,18 +190,33 @@ class Selection:
             return found
         if described.other:
             without = {*without, *(self.spoken or self.earlier)}
-        if found := self._meaning.plainly(described, phrase, without):
-            return self._qualified(described, found, phrase.quantity == "all")
+        if found := self._told_by_use(described, phrase, without):
+            return found
         nouns = self._nouns(described, phrase, without)
         found = self._qualified(described, nouns, phrase.quantity == "all")
         if not found and (english := in_english(phrase.text, surely=False)):
             found = self._named(replace(phrase, text=english), without)
         if not found:
             found = self._qualified(described, self._slips(described, without), False)
-        if not found and not nouns:
-            found = self._qualified(described, self._meaning.perhaps(described, without), False)
-            found = found or self._meaning.wished(described, without)
-        return found
+        if not found and not nouns and phrase.quantity == "all":
+            found = self._made_so(described, without)
+        return found if found or nouns else self._told_perhaps(described, without)
+
+    def _told_by_use(
+        self, described: Description, phrase: Phrase, without: Collection[str]
+    ) -> Fits:
+        """What the words or, where they say nothing, the sentence tells plainly by its use."""
+        if described.vague and not self._stands_somewhere(described):
+            found = self._meaning.told_in_passing(described, without)
+            if found:
+                return found
+        found = self._meaning.plainly(described, phrase, without)
+        return self._qualified(described, found, phrase.quantity == "all")
+
+    def _told_perhaps(self, described: Description, without: Collection[str]) -> Fits:
+        """What the words are most like in meaning, where no knowledge covers them."""
+        found = self._qualified(described, self._meaning.perhaps(described, without), False)
+        return found or self._meaning.wished(described, without)
 
     def _nouns(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:
         """What the noun fits, whatever else is asked for."""
@@ -213,20 +231,38 @@ class Selection:
 
     def _whole(self, phrase: Phrase) -> Phrase:
         """The whole name where the phrase stands only as a part of it: "desk" of the desk tidy."""
+        phrase = self._without_verb(phrase)
         said = plain(self.sentence)
         text = plain(phrase.text)
         longer = [
             name
             for thing in self.things
-            if (name := plain(thing.name)) in said and name != text and name.startswith(f"{text} ")
+            if (name := plain(thing.name)) in said
+            and (name.startswith(f"{text} ") or name.endswith(f" {text}"))
         ]
         alone = len(longer) == 1 and text not in said.replace(longer[0], "")
         return replace(phrase, text=longer[0]) if alone else phrase
+
+    def _without_verb(self, phrase: Phrase) -> Phrase:
+        """Without the verb that follows a name in the sentence: "the vase can"."""
+        found = words(phrase.text)
+        if len(found) < 2 or found[-1] not in _MODALS:
+            return phrase
+        if any(found[-1] in thing.words for thing in self.things):
+            return phrase
+        return replace(phrase, text=" ".join(found[:-1]))
 
     def _named(self, phrase: Phrase, without: Collection[str]) -> Fits:
         described = describe_phrase(phrase)
         nouns = self._nouns(described, phrase, without)
         return self._qualified(described, nouns, phrase.quantity == "all")
+
+    def _made_so(self, described: Description, without: Collection[str]) -> Fits:
+        """What is declared to be of the material or the colour: "steel instruments" that none is."""
+        if not described.materials and not described.colours:
+            return []
+        free = [t for t in self.things if t.name not in without]
+        return [(t, COUNTS) for t in free if has_properties(t, described) >= LIKELY]
 
     def _referred(self, described: Description, without: Collection[str]) -> Fits:
         """What "it" and "them" stand for: what the turn before moved."""
@@ -283,14 +319,21 @@ class Selection:
         if not excluded.vague:
             names = [t.name for t, _ in self._fitting(phrase, ()) if _ >= SETS]
             out = set(names) or out
+        if not out:
+            use = Phrase(text=f"things you can {excluded.text}", quantity="all")
+            out = {thing.name for thing, _ in self._fitting(use, ())}
         if not out & {thing.name for thing, _ in kept}:
             said = {normal(each) for each in excluded.core}
             out = {t.name for t, _ in kept if said and said <= {normal(w) for w in t.words}}
         return [(thing, score) for thing, score in kept if thing.name not in out]
 
+    def _stands_somewhere(self, described: Description) -> bool:
+        """Whether it is told by another thing of the scene."""
+        return any(self._fitting(Phrase(text=other), ()) for _, other in described.relations)
+
     def _related(self, kept: Fits, key: str, other: str, *, many: bool) -> Fits:
         """Those that stand so to the other thing."""
-        anchors = self._fitting(Phrase(text=_bare(other)), ())
+        anchors = self._fitting(self._without_verb(Phrase(text=_bare(other))), ())
         best = max((score for _, score in anchors), default=0.0)
         anchors = [pair for pair in anchors if pair[1] >= best - 0.015]
         if len(anchors) != 1:
@@ -323,7 +366,11 @@ def as_declared(found: Fits, described: Description) -> Fits:
     if not declared:
         return found
     kind = find_class(wanted)
-    return [pair for pair in found if pair in declared or not _is_other(pair[0], wanted, kind)]
+    return [
+        (thing, max(score, HEAD) if (thing, score) in declared else score)
+        for thing, score in found
+        if (thing, score) in declared or not _is_other(thing, wanted, kind)
+    ]
 
 
 def _is_other(thing: Thing, wanted: str, kind: ThingClass | None) -> bool:

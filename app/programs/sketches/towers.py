@@ -15,7 +15,10 @@ Pair = tuple[str, str]
 """A thing and what it stands on, by their names."""
 FEWEST = 3
 """Things of a tower: the order of two is told by one word, which a model reads well."""
-_PILING = re.compile(r"\b(?:stack|pile|piled|tower|heap|build|burger|sandwich|top|bottom)\b", re.I)
+_PILING = re.compile(
+    r"\b(?:stack|pile|piled|tower|heap|build|burger|sandwich|top|bottom|start from|start with)\b",
+    re.I,
+)
 _ON = re.compile(r"\b(?:on|onto|atop|over)(?: top of)?(?: the| a| an| my| that| this)? $", re.I)
 _ON_IT = re.compile(r" (?:on|onto|atop|over)(?: top of)? (?:it|that|this)\b(?! all)", re.I)
 _THEN = re.compile(
@@ -24,7 +27,10 @@ _THEN = re.compile(
 """Between a thing and the one that comes onto it: "the plate, on top of which goes the cup"."""
 _DOWN = re.compile(r"top to bottom|from the top\b|top down|from above|downwards", re.I)
 _UP = re.compile(r"bottom to top|bottom up|from the bottom|ground up|upwards", re.I)
-_LOWEST = re.compile(r"\b(?:bottom|lowest|base|below|undermost|underneath|foundation)\b", re.I)
+_LOWEST = re.compile(
+    r"\b(?:bottom|lowest|base|below|undermost|underneath|foundation|start(?:ing)? (?:from|with))\b",
+    re.I,
+)
 _HIGHEST = re.compile(
     r"\b(?:highest|uppermost|topmost)\b|\bon top of (?:it all|everything|them all|all)\b|"
     r"\b(?:on|at|to)(?: the)?(?: very)? top\b(?! of)",

@@ -49,7 +49,7 @@ def _is_foreign(sentence: str, names: Sequence[str]) -> bool:
 
 def _glossed(sentence: str, names: Sequence[str]) -> str:
     """Word by word in English; adjectives of Romance languages come before their nouns."""
-    known = {word for name in names for word in words(name)}
+    known = {word for name in names for word in (*words(name), plain(name))}
     tokens = [
         each for each in _TOKEN.findall(sentence.replace("\u2019", "'")) if not each.isspace()
     ]
@@ -117,7 +117,10 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
             return slips[word]
         if len(word) < 4 or word in singulars or word in _ENGLISH or not misspelt(word):
             return match[0]
-        return _nearest(word, singulars) or _nearest(word, _kinds(), SURELY) or match[0]
+        kinds = (
+            difflib.get_close_matches(word, sorted(_kinds()), 1, SURELY) if len(word) > 4 else []
+        )
+        return _nearest(word, singulars) or next(iter(kinds), match[0])
 
     return " ".join(re.sub(r"[^\W\d_]+", mend, sentence).split())
 
@@ -155,9 +158,9 @@ def _kinds() -> frozenset[str]:
     return frozenset(named | several | set(COLOUR_WORDS))
 
 
-def _nearest(word: str, known: Collection[str], alike: float = ALIKE) -> str | None:
+def _nearest(word: str, known: Collection[str]) -> str | None:
     """The known word that this one is with a slip in it, or sounds like."""
-    near = difflib.get_close_matches(word, sorted(known), 1, alike)
+    near = difflib.get_close_matches(word, sorted(known), 1, ALIKE)
     if not near:
         near = [each for each in sorted(known) if sorted(each) == sorted(word)]
     if not near:
