@@ -70,7 +70,7 @@ def _read(task: Task, model: LanguageModel, transcript: Transcript, sentence: st
     completion = _sketched(task, model, transcript, sentence)
     transcript.wrote(completion.text)
     try:
-        body, sureness = resolve(parse_sketch(completion.text), task, likeness)
+        body, sureness = resolve(parse_sketch(completion.text), task, likeness, sentence)
     except ProgramRefused as refused:
         reason = f"what the model {model.name} wrote is no sketch: {refused}"
         raise transcript.failure(reason) from refused

@@ -35,7 +35,10 @@ _ONE = re.compile(
     r"\b(the (?:very )?[\w-]+) one\b|\b(the) one(?= (?:in|on|at|to|with|that|nearest|furthest)\b)",
     re.I,
 )
-_OTHER = re.compile(r"\bthe other\b(?! \w+s? (?:goes|belongs|in|into|on|onto|is)\b)", re.I)
+_OTHER = re.compile(
+    r"\bthe other\b(?: one\b)?(?=\s*[,.;:!?]|$| (?:goes|belongs|in|into|on|onto|is|can|should|needs|wants|must|to|and)\b)",
+    re.I,
+)
 
 
 _NEEDED = re.compile(
@@ -70,6 +73,8 @@ _STAYS = re.compile(
     r"(?: put| here| there| where (?:it is|they are|it's|they're)| as (?:it is|they are)| behind|)\s*[.!]?$",
     re.I,
 )
+_NONE = re.compile(r"^no [\w' -]+[.!]?$", re.I)
+"""No ham."""
 _WHOLE = re.compile(r"\b(?:every\w*|all|rest|any\w*|others?|remaining|each|whole)\b", re.I)
 
 
@@ -110,6 +115,7 @@ def _without_stays(text: str) -> str:
     """Without sentences that something stays where it is, unless they take it out of a whole."""
     parts = re.split(r"(?<=[.!;])\s+", text)
     kept = [each for each in parts if not _STAYS.match(each.strip())]
+    kept = [each for each in kept if not _NONE.match(each.strip())] or kept
     whole = any(map(_WHOLE.search, kept))
     return text if whole or not kept or len(kept) == len(parts) else " ".join(kept)
 

@@ -13,9 +13,11 @@ FAILED_LAST = 1
 
 
 def resolve(
-    sketch: Sketch, task: Task, judge: Judge | None = None
+    sketch: Sketch, task: Task, judge: Judge | None = None, sentence: str | None = None
 ) -> tuple[tuple[Statement, ...], float]:
     """The program's statements over the scene's names, and how sure they are, 0 to 1.
+
+    ``sentence`` is what the sketch was read from, where that is not the instruction itself.
 
     Where it replaces a plan that failed, what is done already is left out, and of things that are
     as good as each other those are taken that did not fail.
@@ -29,7 +31,8 @@ def resolve(
         told = task.failed.outcome
         things = tuple(sorted(things, key=lambda thing: FAILED_LAST * (thing.name in told)))
     earlier = moved_before(task.history)
-    selection = Selection(things, task.facts, task.instruction.text, judge, earlier)
+    asked = task.instruction.text
+    selection = Selection(things, task.facts, sentence or asked, judge, earlier, asked)
     composed = Composer(selection, task.actions, going_on=task.failed is not None).compose(sketch)
     body = composed.body
     if task.failed is not None:

@@ -63,10 +63,13 @@ class Selection:
         sentence: str,
         judge: Judge | None = None,
         earlier: Sequence[str] = (),
+        asked: str | None = None,
     ) -> None:
         self.things = things
         self.facts = facts
         self.sentence = sentence
+        self._asked = asked or sentence
+        """As it was typed, for questions back."""
         self._meaning = Meaning(things, sentence, judge)
         self.earlier = tuple(earlier)
         """Names of what the turn before moved."""
@@ -155,8 +158,8 @@ class Selection:
     def _said_with(self, text: str, name: str) -> str:
         """The sentence with the object's own name in place of the words."""
         spoken = r"\s+".join(map(re.escape, text.split()))
-        clear, times = re.subn(rf"\b{spoken}\b", lambda _: name, self.sentence, count=1, flags=re.I)
-        return clear if times else f"{self.sentence} ({text}: {name})"
+        clear, times = re.subn(rf"\b{spoken}\b", lambda _: name, self._asked, count=1, flags=re.I)
+        return clear if times else f"{self._asked} ({text}: {name})"
 
     def _twins(
         self,

@@ -61,7 +61,7 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
     if phrase.count is not None and not re.search(r"\bof the \w+ ", sentence, re.I):
         return phrase
     spoken = r"\s+".join(map(re.escape, phrase.text.split()))
-    pattern = rf"(?<!every )(?<!each )\b({'|'.join(_NUMBERS)})\s+(?:of\s+(?:the|these|those|my|your)\s+(?:{'|'.join(_NUMBERS)}\s+)?)?{spoken}\b"
+    pattern = rf"(?<!every )(?<!each )\b({'|'.join(_NUMBERS)})\s+(?:of\s+(?:the|these|those|my|your)\s+(?:(?:{'|'.join(_NUMBERS)})\s+)?)?{spoken}\b"
     said = {_NUMBERS[each.lower()] for each in re.findall(pattern, sentence, re.I)}
     return replace(phrase, count=said.pop()) if len(said) == 1 else phrase
 

@@ -25,10 +25,11 @@ _THEN = re.compile(
     r"\b(?:on|onto|atop|above|over)(?: top of)? (?:which|it|that|this)\b(?! all)[^.;,]{0,30}$", re.I
 )
 """Between a thing and the one that comes onto it: "the plate, on top of which goes the cup"."""
+_START = re.compile(r"\bstart(?:ing)? (?:from|with)(?: the| a| an| my| that| this)? $", re.I)
 _DOWN = re.compile(r"top to bottom|from the top\b|top down|from above|downwards", re.I)
 _UP = re.compile(r"bottom to top|bottom up|from the bottom|ground up|upwards", re.I)
 _LOWEST = re.compile(
-    r"\b(?:bottom|lowest|base|below|undermost|underneath|foundation|start(?:ing)? (?:from|with))\b",
+    r"\b(?:bottom|lowest|base|below|undermost|underneath|foundation)\b",
     re.I,
 )
 _HIGHEST = re.compile(
@@ -113,7 +114,9 @@ def _lowest_first(pairs: list[Pair]) -> list[Pair] | None:
 def _by_place(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
     """A list, and words for its ends: "red at the bottom, then blue, green on top"."""
     text = " ".join(sentence.lower().split())
-    base = next((m for m in found if _ON.search(text[: m.start]) and _is_place(m, text)), None)
+    base = next((m for m in found if _START.search(text[: m.start])), None) or next(
+        (m for m in found if _ON.search(text[: m.start]) and _is_place(m, text)), None
+    )
     listed = text.find(":", next((m.start() for m in _PILING.finditer(text)), 0))
     found = [m for m in found if m is base or m.start > listed]
     pieces = list(dict.fromkeys(m.name for m in found if m is not base))

@@ -79,7 +79,7 @@ _ADJECTIVES = "red|blue|green|yellow|black|white|brown|grey|pink|purple|big|smal
 
 def _longest(parts: Sequence[str], place: int, known: set[str]) -> tuple[int, str]:
     """How many words from here on are one English word, and that word."""
-    for length in (3, 2, 1):
+    for length in (4, 3, 2, 1):
         text = plain(" ".join(parts[place : place + length]))
         if length > 1 and len(parts) - place >= length:
             if text in _small_words():
