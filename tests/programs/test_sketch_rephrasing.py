@@ -12,6 +12,31 @@ from app.programs.sketches.rephrasing import rephrased
         ),
         ("these go in the warm wash, that is, the white hamper", "these go in the white hamper"),
         ("give the big case a good shove", "push the big case"),
+        (
+            "If it's made of glass, it goes in the crate.",
+            "everything made of glass goes in the crate.",
+        ),
+        ("the blue pens (only the pens, mind) go in the pot", "the blue pens go in the pot"),
+        (
+            "half of the pens go in the pot and the other half stay here.",
+            "half of the pens go in the pot.",
+        ),
+        (
+            "put two balls in the bucket and keep the third back for me",
+            "put two balls in the bucket",
+        ),
+        (
+            "Needles: yellow tub. Paper: blue bin.",
+            "put Needles in yellow tub. put Paper in blue bin.",
+        ),
+        (
+            "Brown bread at the bottom, white on top. No ham.",
+            "Brown bread at the bottom, white on top.",
+        ),
+        (
+            "See the two jars? The glass one goes in the box; the other belongs on the tray.",
+            "The glass jar goes in the box; the other jar belongs on the tray.",
+        ),
         ("the drawer needs opening, then put it in", "open the drawer, then put it in"),
         ("the lid needs to be closed", "close the lid"),
         ("all goes in the bag bar the lamp", "all goes in the bag except the lamp"),

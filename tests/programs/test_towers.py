@@ -21,6 +21,7 @@ def told(sentence, *names):
         "stack the green cube on the red cube and then the blue cube on the green cube",
         "red cube lowest, blue cube highest, the green cube between them: such a tower, please",
         "the red cube stays; set the green cube on it, then the blue cube on the green cube",
+        "start with the red cube, set the green cube on it, then the blue cube on the green cube",
         "a tower: underneath all is the red cube, then the green cube, on top of it all the blue cube",
         "the blue cube must lie on the green cube, which itself must lie on the red cube",
     ],

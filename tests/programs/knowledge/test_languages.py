@@ -28,9 +28,10 @@ def test_names_of_other_languages_are_put_into_english(foreign, english):
         ("leg de appel in de kom", "put the apple in the bowl"),
         ("把梨放在盘子上", "put the pear in the plate"),
         ("leg de appel en de banaan in de kom", "put the apple and the banana in the bowl"),
+        ("leg die Birne in die Küchenschublade", "put the pear in the kitchen drawer"),
         ("put teh bananna in the bwol", "put the banana in the bowl"),
         ("put the banana in the bowl", "put the banana in the bowl"),
     ],
 )
 def test_a_sentence_is_put_into_plain_english(typed, english):
-    assert plain_english(typed, ["banana", "bowl", "bannana peel"]) == english
+    assert plain_english(typed, ["banana", "bowl", "bannana peel", "kitchen drawer"]) == english
