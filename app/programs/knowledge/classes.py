@@ -172,7 +172,13 @@ def classes() -> Classes:
 def normal(text: str) -> str:
     """The form things are compared in: words apart, the last one singular."""
     found = words(text)
-    return " ".join((*found[:-1], singular(found[-1], nouns().irregular))) if found else ""
+    return " ".join((*found[:-1], _singular(found[-1]))) if found else ""
+
+
+def _singular(word: str) -> str:
+    """Of one thing; WordNet's odd plurals only where no plain one is meant: syringes, not syrinxes."""
+    plainly = word.endswith("s") and nouns().knows(word[:-1])
+    return singular(word, {} if plainly else nouns().irregular)
 
 
 def endings(core: tuple[str, ...]) -> Iterable[str]:

@@ -1,5 +1,7 @@
 """A single argument of a sketch's call → the object, the word or the number it stands for."""
 
+from itertools import pairwise
+
 from app.domain.action import Parameter
 from app.domain.program import Argument
 from app.programs.knowledge.names import words
@@ -14,6 +16,7 @@ from app.programs.sketches.verbs import DIRECTIONS, PERSONS, SPOKEN
 
 TOP = frozenset(("very", "top", "of", "it", "all", "pile", "stack", "tower", "that", "the"))
 """Words of a place that is on top of what was put there last."""
+SO_DO = frozenset((("so", "does"), ("so", "do"), ("as", "does"), ("so", "should"), ("so", "must")))
 JOINING = word_list("joining")
 """Words that have one thing go where another went."""
 
@@ -52,7 +55,8 @@ class Arguments:
     def _joined(self, thing: Thing, *, holds: bool) -> str:
         """The thing, or where it was put: "let the car join it there" goes where "it" went."""
         place = self._course.places.get(thing.name)
-        joins = bool(JOINING & set(words(self._selection.sentence)))
+        said = words(self._selection.sentence)
+        joins = bool(JOINING & set(said)) or any(pair in SO_DO for pair in pairwise(said))
         return place if holds and joins and place and not is_container(thing) else thing.name
 
     def _word(self, phrase: Phrase, parameter: Parameter) -> str | None:

@@ -30,6 +30,8 @@ _WISH = re.compile(
     r"(?=,|\.|;|:|!|\?| should | must | goes? | belongs? | needs? | wants? | has | is | in the | into | on the )",
     re.I,
 )
+_OF_ALL = word_list("of all")
+"""A sentence with one of these may mean everything there is."""
 _SEEN = frozenset(("see", "find", "have", "got", "left", "right", "like", "there"))
 """Verbs of clauses that tell no use."""
 _WHATEVER = frozenset(("whatever", "everything", "anything", "all", "things"))
@@ -89,9 +91,13 @@ class Meaning:
         """For nothing but "things": what the sentence's one clause of a use tells of."""
         told = described.colours or described.materials or described.sizes or described.side
         clauses = [match[0] for match in _WISH.finditer(self._sentence)]
-        if told or described.excluded or len(clauses) != 1 or _SEEN & set(words(clauses[0])):
+        said = set(words(self._sentence))
+        if told or described.excluded or len(clauses) > 1 or (not clauses and said & _OF_ALL):
             return []
-        return self._told_by(clauses[0], without)
+        if clauses and _SEEN & set(words(clauses[0])):
+            return []
+        found = self._told_by(clauses[0], without) if clauses else []
+        return found or self._told_by(self._sentence, without)
 
     def _called_for(self, described: Description, without: Collection[str]) -> Fits:
         """What a situation calls for: "rain is forecast; pack what I will need"."""

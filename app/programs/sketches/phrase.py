@@ -117,8 +117,12 @@ def describe_phrase(phrase: Phrase) -> Description:
             superlative=inner.superlative or found.superlative,
             ordinal=inner.ordinal or found.ordinal,
         )
-    if phrase.relations:
-        found = replace(found, relations=(*found.relations, *phrase.relations))
+    for key, other in phrase.relations:
+        side = SIDES.get(" ".join(words(other)).removeprefix("the "))
+        if side:  # "on the left" is no thing that something stands on.
+            found = replace(found, side=side)
+        else:
+            found = replace(found, relations=(*found.relations, (key, other)))
     left_out = tuple(read_description(each) for each in phrase.but)
     return replace(found, excluded=(*found.excluded, *left_out))
 

@@ -22,7 +22,7 @@ _GIVEN = re.compile(
     re.I,
 )
 _DEEDS = {"shove": "push", "nudge": "push", "prod": "push"}
-_ONLY = re.compile(r",? and only (?:the )?[\w-]+,?(?= )", re.I)
+_ONLY = re.compile(r",? and only (?:the )?[\w-]+,?(?= )|, only (?:the )?\w+ ones?\b", re.I)
 _INTRODUCED = re.compile(
     r"^(?P<before>(?:.*[.!?:;] )?)(?:there(?: are|'re| is|'s)|here are|of (?:the|my|our|your|these|those)|"
     r"(?:do you |you can )?see (?:the|my|our|these|those)|"
@@ -65,12 +65,25 @@ _OTHERS_STAY = re.compile(
 _COLON_LIST = re.compile(
     r"(?:(?<=^)|(?<=[.!;] ))(?P<what>[A-Z][\w' -]*): (?P<where>(?:the )?[\w' -]+)(?=[.;]|$)"
 )
+_BOTH = re.compile(
+    r"\b(?:whatever|everything|anything|all|those)(?: that| which)?(?:'s| is| are)? both (\w+) and (\w+)",
+    re.I,
+)
+_GETS = re.compile(
+    r"(?P<start>^|[.;,] )(?P<what>(?:the )?[\w-]+(?: [\w-]+)?) gets? (?P<where>(?:the|my|a) [\w -]+?)(?=[,.;]|$| and )",
+    re.I,
+)
+_INSIDE = re.compile(
+    r"\bopen(?: up)? (?P<box>(?:the|my) [\w ]+?),? (?P<link>(?:and |then )*)"
+    r"(?P<deed>\w+ (?:the|my|a|some) [\w ]+?) (?:inside|in there|in it)(?=[,;.]| and |$)",
+    re.I,
+)
 _LISTED = re.compile(r"^(?P<before>[^:.!?]*\b(?P<last>\w+))\s*:\s+(?P<list>.+)$")
 _INTRODUCING = word_list("introducing")
 """Words before a colon that promise a list and say nothing themselves: "my things: …", "like so: …"."""
-_STAYS = re.compile(
+STAYS = re.compile(
     r"^(?:the|my|your|those|these|that|this|all the)\b[^,:]*?\b(?:can |should |must |may |shall |will )?stays?"
-    r"(?: put| here| there| where (?:it is|they are|it's|they're)| as (?:it is|they are)| behind|)\s*[.!]?$",
+    r"(?: put| here| there| where (?:it is|they are|it's|they're)| as (?:it is|they are)| behind| home| away| out(?: of (?:it|this))?|)\s*[.!]?$",
     re.I,
 )
 _NONE = re.compile(r"^no [\w' -]+[.!]?$", re.I)
@@ -85,6 +98,9 @@ def rephrased(sentence: str) -> str:
     text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
     text = _BAR.sub(" except ", _ONLY.sub("", _ASIDE.sub("", text)))
     text = _IF.sub(lambda found: f"everything {found['so']} {found['goes']}", text)
+    text = _BOTH.sub(r"all the \1 \2 things", text)
+    text = _GETS.sub(lambda found: f"{found['start']}put {found['what']} in {found['where']}", text)
+    text = _INSIDE.sub(r"open \g<box>, \g<link>\g<deed> in \g<box>", text)
     text = _OTHERS_STAY.sub("", text)
     if len(_COLON_LIST.findall(text)) > 1:
         text = _COLON_LIST.sub(lambda found: f"put {found['what']} in {found['where']}", text)
@@ -114,7 +130,7 @@ def _listed(text: str) -> str:
 def _without_stays(text: str) -> str:
     """Without sentences that something stays where it is, unless they take it out of a whole."""
     parts = re.split(r"(?<=[.!;])\s+", text)
-    kept = [each for each in parts if not _STAYS.match(each.strip())]
+    kept = [each for each in parts if not STAYS.match(each.strip())]
     kept = [each for each in kept if not _NONE.match(each.strip())] or kept
     whole = any(map(_WHOLE.search, kept))
     return text if whole or not kept or len(kept) == len(parts) else " ".join(kept)

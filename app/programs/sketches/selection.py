@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import ThingClass, belonging, classes, normal
+from app.programs.knowledge.classes import UNREAL, ThingClass, belonging, classes, normal
 from app.programs.knowledge.languages import in_english
 from app.programs.knowledge.names import is_mark, plain, words
 from app.programs.knowledge.synonyms import mean_the_same
@@ -37,6 +37,7 @@ from app.programs.sketches.qualities import (
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import LIKELY, UNKNOWN, Thing, listed
 
+_REAL = frozenset(("real", "actual", "genuine", "proper", "true"))
 _MODALS = frozenset(("can", "could", "will", "would", "should", "must", "may", "goes", "go", "is"))
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (
@@ -68,9 +69,9 @@ class Selection:
         self.things = things
         self.facts = facts
         self.sentence = sentence
-        self._asked = asked or sentence
+        self.asked = asked or sentence
         """As it was typed, for questions back."""
-        self._meaning = Meaning(things, sentence, judge)
+        self._meaning = Meaning(things, asked or sentence, judge)
         self.earlier = tuple(earlier)
         """Names of what the turn before moved."""
         self.spoken: set[str] = set()
@@ -158,8 +159,8 @@ class Selection:
     def _said_with(self, text: str, name: str) -> str:
         """The sentence with the object's own name in place of the words."""
         spoken = r"\s+".join(map(re.escape, text.split()))
-        clear, times = re.subn(rf"\b{spoken}\b", lambda _: name, self._asked, count=1, flags=re.I)
-        return clear if times else f"{self._asked} ({text}: {name})"
+        clear, times = re.subn(rf"\b{spoken}\b", lambda _: name, self.asked, count=1, flags=re.I)
+        return clear if times else f"{self.asked} ({text}: {name})"
 
     def _twins(
         self,
@@ -310,6 +311,8 @@ class Selection:
             kept = sized(kept, described, many)
         for key, other in described.relations:
             kept = self._related(kept, key, other, many=many)
+        if _REAL & set(described.whole):
+            kept = [(t, s) for t, s in kept if not UNREAL & set(t.words)]
         for excluded in described.excluded:
             kept = self._excluding(kept, excluded)
         if described.side or described.superlative or described.ordinal:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from app.programs.knowledge.classes import belonging, classes, normal
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.rephrasing import STAYS
 from app.programs.sketches.selection import Selection, is_container
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import Thing
@@ -94,6 +95,22 @@ def stays(text: str, sentence: str) -> bool:
     found = words(text)
     spoken = r"\s+".join(re.escape(each) for each in found[:-1]) or re.escape(text)
     return bool(re.search(_STAYING.format(spoken), sentence, re.I))
+
+
+def staying(things: Sequence[Thing], sentence: str) -> set[str]:
+    """The names of what a sentence of its own says stays: "The marble can stay put."."""
+    parts = [part for part in re.split(r"(?<=[.!;])\s+", sentence) if STAYS.match(part.strip())]
+    said = {normal(word) for part in parts for word in words(part)}
+    heads = [normal(thing.core[-1]) for thing in things if thing.core]
+    return {
+        thing.name
+        for thing in things
+        if thing.core
+        and (
+            set(thing.unmarked.split()) <= said
+            or (normal(thing.core[-1]) in said and heads.count(normal(thing.core[-1])) == 1)
+        )
+    }
 
 
 def means_all(phrase: Phrase, sentence: str) -> bool:

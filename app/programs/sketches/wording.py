@@ -27,6 +27,7 @@ SURELY = 0.85
 _TOKEN = re.compile(r"[^\W\d_]+(?:[\u2019'][^\W\d_]+)*|[^\w\s]|\S+|\s+")
 _ENGLISH = word_list("english")
 _DUTCH = word_list("dutch")
+_PLURAL_ARTICLES = frozenset(("les", "las", "los", "gli", "os", "as", "des"))
 
 
 def plain_english(sentence: str, names: Sequence[str]) -> str:
@@ -95,7 +96,9 @@ def _longest(parts: Sequence[str], place: int, known: set[str]) -> tuple[int, st
 
 
 def _looks_plural(parts: Sequence[str], place: int) -> bool:
-    """Whether "all" or a number stands before it, with articles between."""
+    """Whether "all", a number or an article of several stands before it."""
+    if place and plain(parts[place - 1]) in _PLURAL_ARTICLES:
+        return True
     before = [
         _small_words().get(plain(each), plain(each)) for each in parts[max(0, place - 3) : place]
     ]
