@@ -12,6 +12,10 @@ from app.programs.sketches.rephrasing import rephrased
         ),
         ("these go in the warm wash, that is, the white hamper", "these go in the white hamper"),
         ("give the big case a good shove", "push the big case"),
+        ("whatever's both small and purple, toss it", "all the small purple things, toss it"),
+        ("Clothing gets the suitcase.", "put Clothing in the suitcase."),
+        ("open up the box, pop the pear inside", "open the box, pop the pear in the box"),
+        ("red on blue. The jack stays out of it.", "red on blue."),
         (
             "If it's made of glass, it goes in the crate.",
             "everything made of glass goes in the crate.",
