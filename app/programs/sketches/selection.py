@@ -6,12 +6,11 @@ from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import UNREAL, ThingClass, belonging, classes, normal
+from app.programs.knowledge.classes import UNREAL, belonging, classes, normal
 from app.programs.knowledge.languages import in_english
 from app.programs.knowledge.names import is_mark, plain, words
-from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
-from app.programs.knowledge.wordnet import nouns
+from app.programs.sketches.declared import as_declared
 from app.programs.sketches.matching import (
     COUNTS,
     EXACT,
@@ -363,37 +362,6 @@ class Selection:
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
         return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
-
-
-def as_declared(found: Fits, described: Description) -> Fits:
-    """Where the scene declares some to be what is wanted, without what it declares to be another thing."""
-    wanted = normal(" ".join(described.core))
-    declared = [pair for pair in found if normal(pair[0].item.category or "") == wanted]
-    if not declared:
-        return found
-    kind = find_class(wanted)
-    return [
-        (thing, max(score, HEAD) if (thing, score) in declared else score)
-        for thing, score in found
-        if (thing, score) in declared or not _is_other(thing, wanted, kind)
-    ]
-
-
-def _is_other(thing: Thing, wanted: str, kind: ThingClass | None) -> bool:
-    """Whether its declared category is neither a wider nor a narrower word for what is wanted."""
-    category = normal(thing.item.category or "")
-    if category in ("", "object") or mean_the_same(category, wanted):
-        return False
-    wider = find_class(category)
-    if kind and kind.name == wanted and belonging(category, kind) >= COUNTS:
-        return False
-    if wider and belonging(wanted, wider) >= COUNTS:
-        return False
-    return max(nouns().kind_of(category, wanted), nouns().kind_of(wanted, category)) < KINDRED
-
-
-KINDRED = 0.5
-"""From which share of WordNet's meanings on a word is a kind of another."""
 
 
 def affording(found: Fits, affordance: str | None) -> Fits:
