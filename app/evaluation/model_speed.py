@@ -44,9 +44,16 @@ def bench_model(model: LanguageModel) -> ModelSpeed:
     writing = CompletionRequest(prompt="def count():\n    # one, two, three,", max_tokens=400)
     model.complete(CompletionRequest(prompt=writing.prompt, max_tokens=1))
     read, wrote = _speeds(model)
-    while_writing = [_cancelled(model, writing, 0.5) for _ in range(CANCELS)]
+    # Asked for well before a fast model would come to its own end.
+    while_writing = [
+        _cancelled(model, writing, min(0.5, 80 / max(wrote, 1.0))) for _ in range(CANCELS)
+    ]
     while_reading = [
-        _cancelled(model, CompletionRequest(prompt=_calls(LINES, start), max_tokens=1), 0.3)
+        _cancelled(
+            model,
+            CompletionRequest(prompt=_calls(LINES, start), max_tokens=1),
+            min(0.3, 150 / read),
+        )
         for start in range(1, CANCELS + 1)
     ]
     return ModelSpeed(

@@ -25,6 +25,7 @@ def test_clauses_that_speak_of_nothing_that_is_there_are_left_out(said, kept):
     "said",
     [
         "Put the newspaper in box one.",
+        "Discard the hammer. Put the newspaper in box one.",
         "Fetch the hammer. Put the newspaper in box one.",
         "Recycling day at the office.",
         "The reed's gone soft, so throw it out. The jam jar goes in box two.",
