@@ -1,9 +1,14 @@
 """The command line: every module of this folder with a ``command`` is one sub-command."""
 
 import importlib
+import os
 import pkgutil
 
 import click
+
+# All arrays here are small: a second thread of numpy's linear algebra would only spin, which costs a
+# pick half as much CPU again. It counts only if it is set before numpy is loaded.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 class Commands(click.Group):

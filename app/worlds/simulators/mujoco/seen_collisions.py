@@ -33,7 +33,9 @@ STRAY = 3
 FOOT = 0.6
 """What is not seen of an object's underside is taken to be its outline, so much smaller."""
 HIGHEST = 1.0
-"""Of what stands on the table, so far up is kept [m]."""
+"""Nothing on the table stands higher [m]."""
+LOWEST = 0.01
+"""The height field's top, where nothing stands on the table [m]."""
 
 
 class SeenCollisions(Collisions):
@@ -123,8 +125,11 @@ class SeenCollisions(Collisions):
 
     def _show(self, heights: HeightMap) -> None:
         self._map = heights
+        # What is all above a height field's top is passed over without a look at its cells.
+        top = max(float(heights.heights.max()), LOWEST)
+        self._model.hfield_size[0, 2] = top
         # Of a height field, rows run along y, columns along x.
-        self._model.hfield_data[:] = (heights.heights.T / HIGHEST).reshape(-1)
+        self._model.hfield_data[:] = (heights.heights.T / top).reshape(-1)
 
     def _bring_along(self, joints: Array) -> None:
         del joints  # Unused: what is carried is no geom of the model.
