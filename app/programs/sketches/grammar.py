@@ -23,7 +23,7 @@ MAX_WORDS = 80
 MAX_LENGTH = 10
 """Words of a phrase."""
 MAX_VOCABULARY = 120
-ALWAYS = "thing things object objects item items one ones other it them"
+ALWAYS = "thing things object objects item items one ones other it them that"
 WHERE = "leftmost rightmost nearest farthest largest smallest tallest heaviest lightest"
 ORDERS = ("largest first", "smallest first", "left to right", "right to left")
 SHARED = ("colour", "material", "size", "shape", "category")
@@ -71,7 +71,7 @@ def sketch_grammar(
 
 def _words(sentence: str | None, earlier: Sequence[str]) -> list[str]:
     """The rule for words in quotes."""
-    known = _vocabulary(sentence, earlier) if sentence is not None else []
+    known = vocabulary(sentence, earlier) if sentence is not None else []
     if not known or len(known) > MAX_VOCABULARY:
         free = rf"""([^'\\\x00-\x1f\x7f] | "\\" ['\\]){{1,{MAX_WORDS}}}"""
         return [f'words ::= "\'" {free} "\'"']
@@ -83,12 +83,12 @@ def _words(sentence: str | None, earlier: Sequence[str]) -> list[str]:
     ]
 
 
-def _vocabulary(sentence: str, earlier: Sequence[str]) -> list[str]:
+def vocabulary(sentence: str, earlier: Sequence[str]) -> list[str]:
     """The words that phrases are made of, lower case, each once."""
     found: dict[str, None] = {}
     for token in sentence.lower().split():
-        bare = token.strip(".,!?;:")
-        for piece in (bare, *re.split(r"[-/,;]", bare)):
+        bare = token.strip(".,!?;:()[]\"\u201c\u201d\u2018")
+        for piece in (bare, bare.removesuffix("'s"), *re.split(r"[-/,;]", bare)):
             if piece and piece.isprintable():
                 found |= dict.fromkeys((piece, *_forms(piece)))
     for name in earlier:

@@ -136,7 +136,8 @@ def _modified_fit(thing: Thing, core: tuple[str, ...]) -> float:
             return 0.0
         if shown and all(shown):
             return min(head, HEAD) - 0.02
-        return min(head, WIDER) - 0.06 if head >= KIND else 0.0
+        # Of "old oil filter", an oil filter has more than an air filter.
+        return min(head, WIDER) - 0.06 + 0.02 * (len(core) - start - 1) if head >= KIND else 0.0
     return 0.0
 
 

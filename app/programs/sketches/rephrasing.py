@@ -62,6 +62,11 @@ _OTHERS_STAY = re.compile(
     r"[,;]? and (?:keep|leave|save) the (?:fourth|third|fifth|last|other)\b[^.;]*",
     re.I,
 )
+_BETWEEN = re.compile(
+    r"\b(?P<which>the|that|this) (?P<what>(?:\w+ )??\w+)(?:,? (?:that|which)(?:'s| is| lies| stands| sits))?"
+    r"(?: sitting| lying| standing)? (?:in )?between the other (?:two|ones)\b",
+    re.I,
+)
 _COLON_LIST = re.compile(
     r"(?:(?<=^)|(?<=[.!;] ))(?P<what>[A-Z][\w' -]*): (?P<where>(?:the )?[\w' -]+)(?=[.;]|$)"
 )
@@ -101,7 +106,7 @@ def rephrased(sentence: str) -> str:
     text = _BOTH.sub(r"all the \1 \2 things", text)
     text = _GETS.sub(lambda found: f"{found['start']}put {found['what']} in {found['where']}", text)
     text = _INSIDE.sub(r"open \g<box>, \g<link>\g<deed> in \g<box>", text)
-    text = _OTHERS_STAY.sub("", text)
+    text = _BETWEEN.sub(r"\g<which> middle \g<what>", _OTHERS_STAY.sub("", text))
     if len(_COLON_LIST.findall(text)) > 1:
         text = _COLON_LIST.sub(lambda found: f"put {found['what']} in {found['where']}", text)
     return _introduced(_without_stays(_listed(text)))

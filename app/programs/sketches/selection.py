@@ -95,8 +95,8 @@ class Selection:
         if not found:
             raise self.absent(phrase.text)
         best = max(score for _, score in found)
-        if holds and best < HEAD - 0.05:
-            found = [pair for pair in found if is_container(pair[0])] or found
+        if holds and best < HEAD - 0.02:
+            found = [p for p in found if is_container(p[0])] or self._named_after(phrase) or found
             best = max(score for _, score in found)
         equal = [thing for thing, score in found if score >= best - 0.015]
         if len(equal) > 1 and holds:
@@ -126,6 +126,12 @@ class Selection:
         least = HEAD - 0.05 if best >= HEAD - 0.05 and basic else min(SETS, best - 0.03)
         kept = tuple(thing for thing, score in found if score >= least)
         return Found(kept, best)
+
+    def _named_after(self, phrase: Phrase) -> Fits:
+        """The one container that has the words in its name: "with the paper" is the paper bin."""
+        said = set(describe_phrase(phrase).core)
+        named = [t for t in self.things if said <= set(t.words) and is_container(t)]
+        return [(named[0], COUNTS)] if said and len(named) == 1 else []
 
     def possible(self, phrase: Phrase, without: Collection[str] = ()) -> bool:
         """Whether anything fits at all."""

@@ -124,7 +124,7 @@ def means_all(phrase: Phrase, sentence: str) -> bool:
 _SPELT = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
 _NUMBERS: dict[str, int] = {**_SPELT, **{str(number): number for number in range(1, 10)}}
 _LEFT = re.compile(
-    rf"\b(?:leave|leaving|keep|keeping|spare)\s+(?:just |only |out )?(?P<number>{'|'.join(_NUMBERS)})\s+"
+    rf"\b(?:leave|leaving|keep|keeping|spare)\s+(?:me |us |him |her |them )?(?:just |only |out )?(?P<number>{'|'.join(_NUMBERS)})\s+"
     r"(?:of (?:the|these|those|my|your)\s+)?(?P<noun>\w+(?: \w+)?)\b"
     r".*\b(?:others?|rest|remaining|remainder)\b",
     re.I,

@@ -69,18 +69,17 @@ class Thing:
 
     def has_material(self, material: str) -> float:
         """How surely it is made of the material."""
-        named = materials_named(self.name)
-        if named:
-            return YES if material in named else NO
         if told := self.property("material"):
             return YES if MATERIALS.get(plain(told), plain(told)) == material else NO
+        if named := materials_named(self.name):
+            return YES if material in named else NO
         return max(made_of(self.name, material), 0.2)
 
     def materials(self) -> frozenset[str]:
         """The materials its name or its description tells."""
-        told = self.property("material")
-        extra = {MATERIALS.get(plain(told), plain(told))} if told else set[str]()
-        return materials_named(self.name) or frozenset(extra)
+        if told := self.property("material"):
+            return frozenset((MATERIALS.get(plain(told), plain(told)),))
+        return materials_named(self.name)
 
     def told_size(self) -> int | None:
         """How large its name or its description says it is."""

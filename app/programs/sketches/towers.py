@@ -20,6 +20,10 @@ _PILING = re.compile(
     re.I,
 )
 _ON = re.compile(r"\b(?:on|onto|atop|over)(?: top of)?(?: the| a| an| my| that| this)? $", re.I)
+_NEXT_CLAUSE = re.compile(
+    r"\.|[,;:] (?:and |then |while |but )?(?:the|a|an|my|all|any|every|some|each)\b.*\bon"
+)
+"""Between two things, where the second belongs to what is said next of a third one."""
 _ON_IT = re.compile(r" (?:on|onto|atop|over)(?: top of)? (?:it|that|this)\b(?! all)", re.I)
 _THEN = re.compile(
     r"\b(?:on|onto|atop|above|over)(?: top of)? (?:which|it|that|this)\b(?! all)[^.;,]{0,30}$", re.I
@@ -83,7 +87,7 @@ def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
         between = text[one.end : other.start]
         if one.name == other.name:
             continue
-        if "." not in between and _ON.search(between):
+        if not _NEXT_CLAUSE.search(between) and _ON.search(between):
             pairs.append((one.name, other.name))
         elif _ON_IT.match(text[other.end :]) or _THEN.search(between):
             pairs.append((other.name, one.name))
