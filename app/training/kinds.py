@@ -38,8 +38,10 @@ def _foreign(nouns: Nouns, robot: Robot) -> Draft:
     return Draft(text, steps, plain=True)
 
 
-def _whole(nouns: Nouns, _robot: Robot) -> Draft:
+def _whole(nouns: Nouns, robot: Robot) -> Draft:
     found = nouns.words.choose(sentences())
+    for concept in {step.concept for step in found.steps} - {PUT, STACK}:
+        equip(nouns.words, robot, concept)
     if nouns.words.chance(0.6):
         found = found.about(nouns.names.noun)
     text = found.text
@@ -74,7 +76,7 @@ KINDS: dict[str, Kind] = {
     "foreign": Kind(12, _foreign),
     "impossible": Kind(6, impossible),
     "dialogue": Kind(4, dialogue),
-    "sentence": Kind(14, _whole),
+    "sentence": Kind(120, _whole),
     "chore": Kind(34, _chore),
 }
 VERBAL = ("verb", "verbs", "chain", "quoted")

@@ -1,7 +1,8 @@
 """Whole sentences with their sketches, read from ``static/training/sentences.txt``.
 
 They say what no template reaches: asides, corrections, fragments, things told by what they are for.
-A line reads ``sentence => PUT('x', 'y'); STACK('z', 'x')``; ``#`` begins a remark.
+A line reads ``sentence => PUT('x', 'y'); STACK('z', 'x')``; ``#`` begins a remark. Beside these two
+there are ``OPEN('x')``, ``CLOSE('x')`` and ``POUR('x', 'y')``.
 """
 
 import re
@@ -14,8 +15,9 @@ from app.training.steps import Step
 from app.training.words import FOLDER, plural
 
 FILE = FOLDER / "sentences.txt"
-_PHRASE = re.compile(r"(?<!where=)(?<!order=)'([^']+)'")
-_CALL = re.compile(r"(PUT|STACK)\((.*)\)")
+_PHRASE = re.compile(r"(?:where=|order=|same\()'[^']+'|'((?:[^'\\]|\\.)+)'")
+"""Words for things, but neither a superlative nor what things share."""
+_CALL = re.compile(r"(PUT|STACK|OPEN|CLOSE|POUR)\((.*)\)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,28 +30,36 @@ class Sentence:
     def about(self, name: Callable[[], str]) -> "Sentence":
         """The same of other things, or as it is where it speaks of them in other words."""
         phrases = dict.fromkeys(
-            each for step in self.steps for each in _PHRASE.findall("".join(step.given.values()))
+            _bare(each)
+            for step in self.steps
+            for each in _PHRASE.findall(" ".join(step.given.values()))
+            if each
         )
-        if not all(_stands(each, self.text) for each in phrases):
+        within = any(each != other and each in other for each in phrases for other in phrases)
+        if within or not all(_stands(each, self.text) for each in phrases):
             return self
         others = {each: plural(name()) if each.endswith("s") else name() for each in phrases}
 
         def put(match: re.Match[str]) -> str:
             return others[match[0].lower()]
 
+        def rename(match: re.Match[str]) -> str:
+            return literal(others[_bare(match[1])]) if match[1] else match[0]
+
         longest = sorted(map(re.escape, others), key=len, reverse=True)
         text = re.sub(rf"\b(?:{'|'.join(longest)})\b", put, self.text, flags=re.I)
         steps = tuple(
             replace(
                 step,
-                given={
-                    role: _PHRASE.sub(lambda found: literal(others[found[1]]), said)
-                    for role, said in step.given.items()
-                },
+                given={role: _PHRASE.sub(rename, said) for role, said in step.given.items()},
             )
             for step in self.steps
         )
         return Sentence(text, steps)
+
+
+def _bare(phrase: str) -> str:
+    return phrase.replace("\\'", "'")
 
 
 def _stands(phrase: str, text: str) -> bool:
@@ -71,18 +81,22 @@ def _sentence(line: str) -> Sentence:
 def _step(call: str) -> Step:
     match = _CALL.fullmatch(call)
     if match is None:
-        raise ValueError(f"a step reads PUT('x', 'y') or STACK('x', 'y'), not {call!r}")
-    thing, place = _arguments(match[2])
-    return Step(match[1], {"x": thing, "y": place}, on=match[1] == "STACK")
+        raise ValueError(f"a step reads PUT('x', 'y'), OPEN('x') or the like, not {call!r}")
+    roles = "x" if match[1] in ("OPEN", "CLOSE") else "xy"
+    return Step(
+        match[1], dict(zip(roles, _arguments(match[2]), strict=True)), on=match[1] == "STACK"
+    )
 
 
-def _arguments(inner: str) -> tuple[str, str]:
-    """The two arguments, apart at the comma that is in no bracket and no quotes."""
-    depth, quoted = 0, False
+def _arguments(inner: str) -> list[str]:
+    """The arguments, apart at the commas that are in no bracket and no quotes."""
+    found, depth, quoted = [""], 0, False
     for place, letter in enumerate(inner):
         quoted ^= letter == "'" and inner[place - 1 : place] != "\\"
         if not quoted:
             depth += (letter in "([") - (letter in ")]")
         if letter == "," and not depth and not quoted:
-            return inner[:place], inner[place + 2 :]
-    raise ValueError(f"two arguments are wanted, not {inner!r}")
+            found.append("")
+        else:
+            found[-1] += letter
+    return [each.strip() for each in found]
