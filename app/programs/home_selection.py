@@ -8,8 +8,8 @@ from app.domain.scene import SceneObject
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.names import words
 from app.programs.sketches.matching import COUNTS, EXACT
-from app.programs.sketches.qualities import Fits
-from app.programs.sketches.selection import Found, Judge, Selection, affording
+from app.programs.sketches.qualities import Fits, affording
+from app.programs.sketches.selection import Found, Judge, Selection
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import Thing, read_things
 

@@ -7,8 +7,9 @@ from app.domain.program import Argument
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.course import Course
+from app.programs.sketches.qualities import is_container
 from app.programs.sketches.refusals import into_itself
-from app.programs.sketches.selection import Selection, is_container
+from app.programs.sketches.selection import Selection
 from app.programs.sketches.sets import COLLECTIVE, is_plural, means_all
 from app.programs.sketches.sketch import Phrase, SketchArgument
 from app.programs.sketches.things import Thing

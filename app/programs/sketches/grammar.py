@@ -87,7 +87,7 @@ def vocabulary(sentence: str, earlier: Sequence[str]) -> list[str]:
     """The words that phrases are made of, lower case, each once."""
     found: dict[str, None] = {}
     for token in sentence.lower().split():
-        bare = token.strip(".,!?;:()[]\"\u201c\u201d\u2018")
+        bare = token.strip('.,!?;:()[]"\u201c\u201d\u2018')
         for piece in (bare, bare.removesuffix("'s"), *re.split(r"[-/,;]", bare)):
             if piece and piece.isprintable():
                 found |= dict.fromkeys((piece, *_forms(piece)))

@@ -2,8 +2,10 @@
 
 from collections.abc import Iterable
 
+from app.programs.knowledge.classes import belonging, classes, normal
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.properties import typical_size
+from app.programs.sketches.matching import COUNTS
 from app.programs.sketches.phrase import Description, read_description
 from app.programs.sketches.things import LIKELY, Thing
 
@@ -170,3 +172,29 @@ def far_larger(thing: Thing, target: Thing) -> bool:
 
 FURNITURE, MISFIT = 40.0, 3.5
 """Up to which typical size [cm], and by which factor, names alone tell that it cannot fit."""
+
+
+def affording(found: Fits, affordance: str | None) -> Fits:
+    """Those that afford it, or all where none is told to; any of ``a|b`` will do."""
+    if affordance is None:
+        return found
+    wanted = set(affordance.split("|"))
+    kept = [(t, s) for t, s in found if wanted & set((t.property("affordances") or "").split())]
+    return kept or found
+
+
+def is_called(thing: Thing, described: Description) -> bool:
+    """Whether all of the words, properties included, are its name."""
+    if plain(thing.name).strip() == plain(described.text).strip():
+        return True
+    return normal(" ".join(described.whole)) in (normal(" ".join(thing.words)), thing.unmarked)
+
+
+def is_container(thing: Thing) -> bool:
+    """Whether things are put into or onto it as a rule."""
+    if thing.item.container:
+        return True
+    return any(
+        belonging(thing.name, classes().named(kind)) >= COUNTS
+        for kind in ("container", "dish", "furniture", "cookware")
+    )

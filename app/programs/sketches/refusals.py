@@ -8,8 +8,8 @@ from app.domain.program import ActionCall
 from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
 from app.programs.sketches.phrase import spoken_of
-from app.programs.sketches.qualities import far_larger
-from app.programs.sketches.selection import Selection, is_container
+from app.programs.sketches.qualities import far_larger, is_container
+from app.programs.sketches.selection import Selection
 from app.programs.sketches.sketch import Phrase, SketchCall
 from app.programs.sketches.verbs import LITERAL, place_of
 

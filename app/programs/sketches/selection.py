@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import UNREAL, belonging, classes, normal
+from app.programs.knowledge.classes import UNREAL, normal
 from app.programs.knowledge.languages import in_english
 from app.programs.knowledge.names import is_mark, plain, words
 from app.programs.knowledge.word_lists import word_list
@@ -26,15 +26,19 @@ from app.programs.sketches.phrase import Description, describe_phrase, spoken_of
 from app.programs.sketches.qualities import (
     AXES,
     Fits,
+    affording,
     distance,
     extreme,
     has_properties,
+    is_called,
+    is_container,
     is_placed,
     sized,
     stands,
 )
+from app.programs.sketches.questions import absent, ambiguous
 from app.programs.sketches.sketch import Phrase
-from app.programs.sketches.things import LIKELY, UNKNOWN, Thing, listed
+from app.programs.sketches.things import LIKELY, UNKNOWN, Thing
 
 _REAL = frozenset(("real", "actual", "genuine", "proper", "true"))
 _MODALS = frozenset(("can", "could", "will", "would", "should", "must", "may", "goes", "go", "is"))
@@ -105,7 +109,7 @@ class Selection:
         if len(equal) > 1 and "other" in words(self.sentence):
             equal = [t for t in equal if t.name not in self.spoken] or equal
         if len(equal) > 1 and not self.indefinite(phrase.text):
-            raise self.ambiguous(phrase.text, equal)
+            raise ambiguous(phrase.text, equal, self.asked)
         return Found((equal[0],), best)
 
     def all(
@@ -144,28 +148,7 @@ class Selection:
 
     def absent(self, text: str) -> TaskDeclined:
         """Nothing in the scene fits."""
-        names = listed([thing.name for thing in self.things]) or "nothing"
-        return TaskDeclined(
-            f"there is no {text} here, only {names}",
-            kind="absent",
-            question=f"What do you mean by {text!r}?",
-        )
-
-    def ambiguous(self, text: str, equal: Sequence[Thing]) -> TaskDeclined:
-        """Several objects fit equally well."""
-        names = [thing.name for thing in equal]
-        return TaskDeclined(
-            f"{text!r} could be {listed(names, 'or')}",
-            kind="ambiguous",
-            question=f"Which {text} do you mean: {listed(names, 'or')}?",
-            choices=tuple(self._said_with(text, name) for name in names[:6]),
-        )
-
-    def _said_with(self, text: str, name: str) -> str:
-        """The sentence with the object's own name in place of the words."""
-        spoken = r"\s+".join(map(re.escape, text.split()))
-        clear, times = re.subn(rf"\b{spoken}\b", lambda _: name, self.asked, count=1, flags=re.I)
-        return clear if times else f"{self.asked} ({text}: {name})"
+        return absent(text, self.things)
 
     def _twins(
         self,
@@ -368,32 +351,6 @@ class Selection:
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
         return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
-
-
-def affording(found: Fits, affordance: str | None) -> Fits:
-    """Those that afford it, or all where none is told to; any of ``a|b`` will do."""
-    if affordance is None:
-        return found
-    wanted = set(affordance.split("|"))
-    kept = [(t, s) for t, s in found if wanted & set((t.property("affordances") or "").split())]
-    return kept or found
-
-
-def is_called(thing: Thing, described: Description) -> bool:
-    """Whether all of the words, properties included, are its name."""
-    if plain(thing.name).strip() == plain(described.text).strip():
-        return True
-    return normal(" ".join(described.whole)) in (normal(" ".join(thing.words)), thing.unmarked)
-
-
-def is_container(thing: Thing) -> bool:
-    """Whether things are put into or onto it as a rule."""
-    if thing.item.container:
-        return True
-    return any(
-        belonging(thing.name, classes().named(kind)) >= COUNTS
-        for kind in ("container", "dish", "furniture", "cookware")
-    )
 
 
 def _bare(text: str) -> str:

@@ -7,8 +7,9 @@ from dataclasses import replace
 from app.programs.knowledge.classes import belonging, classes, normal
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.qualities import is_container
 from app.programs.sketches.rephrasing import STAYS
-from app.programs.sketches.selection import Selection, is_container
+from app.programs.sketches.selection import Selection
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import Thing
 
