@@ -72,7 +72,8 @@ def _meant_for(target: Thing, thing: Thing) -> float:
         return 1.0 if SIZES[wanted] == thing.told_size() else 0.0
     if mean_the_same(wanted, thing.unmarked) or wanted in {normal(each) for each in thing.words}:
         return 1.0
-    kind = find_class(wanted)
-    if kind:
+    if thing.item.category and mean_the_same(normal(thing.item.category), wanted):
+        return 1.0
+    if kind := find_class(wanted) or find_class(f"{wanted} thing"):
         return belonging(thing.name, kind)
     return thing.has_material(MATERIALS[wanted]) if wanted in MATERIALS else 0.0
