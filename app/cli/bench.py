@@ -10,6 +10,7 @@ from rich.progress import Progress
 from app.cli.api_bench import api
 from app.cli.bench_options import AS_JSON, SEED, seeing
 from app.cli.fuzz_bench import fuzz
+from app.cli.household_bench import household
 from app.cli.model_bench import model
 from app.cli.verb_benches import pairs, tower, verb
 from app.domain.perception import Perception
@@ -23,7 +24,7 @@ from app.settings import Settings
 from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 
 command = click.Group("bench", help="Measure parts of the system on this machine.")
-for each in (verb, tower, pairs, fuzz, api, model):
+for each in (verb, tower, pairs, household, fuzz, api, model):
     command.add_command(each)
 
 
