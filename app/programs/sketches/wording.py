@@ -22,6 +22,8 @@ from app.programs.sketches.rephrasing import rephrased
 
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "grammar.json"
 ALIKE = 0.8
+HASTY = 2
+"""From so many slips on, a word that exists may be one as well."""
 SURELY = 0.85
 """The same for words that the scene does not have."""
 _TOKEN = re.compile(r"[^\W\d_]+(?:[\u2019'][^\W\d_]+)*|[^\w\s]|\S+|\s+")
@@ -113,11 +115,18 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
     slips = _grammar()["slips"]
     singulars = scene | {f"{word}s" for word in scene}
     sentence = _paired(_joined(sentence, names), names)
+    strange = (each for each in words(sentence) if each.isalpha() and each not in singulars)
+    hasty = sum(len(each) > 3 and each not in _ENGLISH and misspelt(each) for each in strange)
 
     def mend(match: re.Match[str]) -> str:
         word = plain(match[0])
         if word in slips and word not in singulars:
             return slips[word]
+        if hasty >= HASTY and len(word) > 4 and word not in singulars | _ENGLISH:
+            # Who misspells so much may hit another word: "bowel" for the bowl.
+            near = difflib.get_close_matches(word, sorted(scene), 1, SURELY)
+            if near and near[0][0] == word[0]:
+                return near[0]
         if len(word) < 4 or word in singulars or word in _ENGLISH or not misspelt(word):
             return match[0]
         kinds = (

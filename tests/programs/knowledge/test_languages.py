@@ -35,3 +35,20 @@ def test_names_of_other_languages_are_put_into_english(foreign, english):
 )
 def test_a_sentence_is_put_into_plain_english(typed, english):
     assert plain_english(typed, ["banana", "bowl", "bannana peel", "kitchen drawer"]) == english
+
+
+def test_a_word_that_exists_is_mended_in_a_sentence_full_of_slips_alone():
+    names = ["strawberry", "bowl", "plate"]
+    assert "in the bowl" in plain_english("strawbery in the bowel, rest on the plaet", names)
+    assert "bowel" in plain_english("put the strawberry in the bowel", names)
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "Mete el tomate en la cacerola, pero deja el limón donde está.",
+        "No toques el limón, mete el tomate en la cacerola",
+    ],
+)
+def test_what_is_left_is_not_put(typed):
+    assert "leave the lemon" in plain_english(typed, ["lemon", "tomato", "saucepan"]).lower()
