@@ -155,4 +155,5 @@ def _holds(relation: Relation, done: Outcome) -> bool:
             deeds = [deed[0] for deed in done.deeds if deed[1:] == arguments]
             return deeds[-1:] == ["open" if name == "open" else "close"]
         case _:
-            return (name.removesuffix("ed"), *arguments) in done.deeds
+            wanted = (name.removesuffix("ed"), *arguments)
+            return any(deed[: len(wanted)] == wanted for deed in done.deeds)

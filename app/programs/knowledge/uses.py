@@ -7,18 +7,21 @@ import json
 from functools import cache
 from pathlib import Path
 
-from app.programs.knowledge.classes import endings, head_first, normal
+from app.programs.knowledge.classes import HOLDERS, endings, head_first, normal
 
+_DOSES = frozenset(("tablet", "pill", "capsule", "drop", "cream"))
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "uses.json"
 
 
 def uses(name: str) -> tuple[str, ...]:
     """Phrases for the thing of this name, by its longest ending that is known.
 
-    A desk lamp's are those of a lamp where none are known of its own.
+    A desk lamp's are those of a lamp where none are known of its own, a honey jar's are honey's.
     """
     table = _table()
-    for ending in (normal(name), *endings(head_first(name))):
+    core = head_first(name)
+    held = (normal(" ".join(core[:-1])),) if core and normal(core[-1]) in HOLDERS | _DOSES else ()
+    for ending in (normal(name), *held, *endings(core)):
         if found := table.get(ending) or table.get(ending.replace(" ", "")):
             return found
     return ()

@@ -16,6 +16,7 @@ from app.programs.sketches.pairs import for_each, pairs
 from app.programs.sketches.refusals import refuse_beside, refuse_harm
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sets import counted, stays
+from app.programs.sketches.sharing import said_to_share
 from app.programs.sketches.sketch import (
     Decline,
     Each,
@@ -134,7 +135,7 @@ class Composer:
         refuse_beside(call, self._selection.sentence)
         call = told_apart(call)
         call = righted(call, signature, self._selection.sentence)
-        call = in_order(call, signature, self._selection.sentence)
+        call = self._shared(in_order(call, signature, self._selection.sentence), signature)
         several = [i for i, each in enumerate(call.arguments) if self._several(each)]
         place = place_of(signature, several)
         if place in several and len(several) == 1 and _any_one_of(call.arguments[place]):
@@ -145,6 +146,19 @@ class Composer:
                 return single
             several = [1 - place if place is not None and len(call.arguments) == 2 else 0]
         return self._spelt_out(call, signature, several[0], still)
+
+    def _shared(self, call: SketchCall, signature: ActionSignature) -> SketchCall:
+        """With the places of the same kind where the words for the place speak of "its own"."""
+        place = place_of(signature, ())
+        if place is None or len(call.arguments) != 2:
+            return call
+        target = call.arguments[place]
+        same = said_to_share(target) if isinstance(target, Phrase) else None
+        if same is None or not self._selection.several(same.text):
+            return call
+        given = [*call.arguments]
+        given[place] = same
+        return SketchCall(call.action, tuple(given))
 
     def _take(self, names: Iterable[str]) -> None:
         self._course.taken |= (taken := set(names))

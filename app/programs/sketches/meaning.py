@@ -59,9 +59,13 @@ class Meaning:
         if best < PLAINLY:
             return []
         several = phrase.quantity == "all" or _WHATEVER & set(words(self._sentence))
-        likeliest = [thing for likely, thing in scores if likely == best]
-        if several and likeliest[0] in self._classed(described, without):
+        likeliest = next(thing for likely, thing in scores if likely == best)
+        classed = self._classed(described, without)
+        if several and likeliest in classed:
             return []
+        member = max((likely for likely, thing in scores if thing in classed), default=0.0)
+        if not several and likeliest not in classed and best < member + LEAD:
+            return []  # One writes with a pen, however like writing a notebook is.
         least = max(PLAINLY, best - USE_MARGIN) if several else best
         return [(thing, KIND) for likely, thing in scores if likely >= least]
 

@@ -8,7 +8,7 @@ from app.programs.sketches.course import Course
 from app.programs.sketches.phrase import describe_phrase
 from app.programs.sketches.qualities import ordered
 from app.programs.sketches.selection import Selection
-from app.programs.sketches.sets import halved, left_over, movable, staying
+from app.programs.sketches.sets import but_some, halved, left_over, movable, staying
 from app.programs.sketches.sketch import Each, Phrase, Rest, Same, SketchArgument
 from app.programs.sketches.things import Thing, listed
 
@@ -60,6 +60,7 @@ class Members:
         if not isinstance(argument, Phrase):
             raise ProgramRefused(Fault(field="program", message="a set is wanted"))
         avoid = avoid | staying(self._selection.things, self._selection.asked)
+        argument = but_some(argument, self._selection.sentence)
         selected = self._selection.all(argument, avoid, affordance=affordance)
         self._course.doubt(selected.sureness)
         found = list(selected.things)

@@ -50,6 +50,10 @@ _NEEDS = {"shutting": "close", "shut": "close", "emptying": "empty"}
 _BAR = re.compile(
     r"(?<=\w) (?:bar|save for|excluding|not counting|minus) (?=(?:the|my|that|those)\b)"
 )
+_BAR_FIRST = re.compile(
+    r"(?:^|(?<=[.!?;] ))(?:bar|barring|save for|minus) (?=(?:the|my|that|those)\b)", re.I
+)
+"""Bar the saw, the tools go in the box."""
 _IF = re.compile(
     r"^(?:so )?if (?:it|something|anything|a thing|they|things)(?:'s| is|'re| are)? "
     r"(?P<so>[^,]+),? (?:then )?(?:it|they|that) (?P<goes>goes?|belongs?|should|must|can)\b",
@@ -102,6 +106,7 @@ def rephrased(sentence: str) -> str:
     text = _GIVEN.sub(lambda found: f"{_deed(found['deed'])} {found['what']}", text)
     text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
     text = _BAR.sub(" except ", _ONLY.sub("", _ASIDE.sub("", text)))
+    text = _BAR_FIRST.sub("Except for ", text)
     text = _IF.sub(lambda found: f"everything {found['so']} {found['goes']}", text)
     text = _BOTH.sub(r"all the \1 \2 things", text)
     text = _GETS.sub(lambda found: f"{found['start']}put {found['what']} in {found['where']}", text)

@@ -1,11 +1,13 @@
 """Sketch + task → the statements of a program, or the reason why there is none."""
 
+from app.domain.errors import TaskDeclined
 from app.domain.planner import Task
 from app.domain.program import ActionCall, Comment, Statement
-from app.programs.sketches.composer import Composer
+from app.programs.sketches.composer import Composer, Composition
 from app.programs.sketches.dialogue import moved_before
+from app.programs.sketches.lists import listed_pairs
 from app.programs.sketches.selection import Judge, Selection
-from app.programs.sketches.sketch import Sketch
+from app.programs.sketches.sketch import Phrase, Sketch, SketchCall
 from app.programs.sketches.things import read_things
 
 FAILED_LAST = 1
@@ -33,11 +35,41 @@ def resolve(
     earlier = moved_before(task.history)
     asked = task.instruction.text
     selection = Selection(things, task.facts, sentence or asked, judge, earlier, asked)
-    composed = Composer(selection, task.actions, going_on=task.failed is not None).compose(sketch)
+    composed = _composed(sketch, task, selection)
     body = composed.body
     if task.failed is not None:
         body = _left(body, selection) or body
     return body, composed.sureness
+
+
+def _composed(sketch: Sketch, task: Task, selection: Selection) -> Composition:
+    """What the sketch means; where it leaves out a container of a plain list, what the list says."""
+    pairs = listed_pairs(selection.sentence, selection.things)
+    composer = Composer(selection, task.actions, going_on=task.failed is not None)
+    if pairs is None:
+        return composer.compose(sketch)
+    try:
+        composed = composer.compose(sketch)
+    except TaskDeclined as declined:
+        if declined.kind == "hazardous":
+            raise
+        composed = None
+    if composed is not None and _used(composed) >= {place for _, place in pairs}:
+        return composed
+    puts = [
+        each for each in sketch.body if isinstance(each, SketchCall) and len(each.arguments) == 2
+    ]
+    if not puts:
+        return composer.compose(sketch)
+    named = (tuple(Phrase(text=name) for name in pair) for pair in pairs)
+    told = Sketch(tuple(SketchCall(puts[0].action, each) for each in named))
+    return Composer(selection, task.actions, going_on=task.failed is not None).compose(told)
+
+
+def _used(composed: Composition) -> set[str]:
+    """Where the program puts things."""
+    calls = (each for each in composed.body if isinstance(each, ActionCall))
+    return {str(call.arguments[-1]) for call in calls if call.arguments}
 
 
 def _left(body: tuple[Statement, ...], selection: Selection) -> tuple[Statement, ...]:

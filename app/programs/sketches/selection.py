@@ -141,6 +141,11 @@ class Selection:
         """Whether anything fits at all."""
         return bool(self._fitting(phrase, without))
 
+    def several(self, text: str) -> bool:
+        """Whether more than one thing is called so."""
+        phrase = Phrase(text=text, quantity="all")
+        return self.possible(phrase) and len(self.all(phrase).things) > 1
+
     def indefinite(self, text: str) -> bool:
         """Whether the sentence speaks of any one of several: "a cup", "one of the cups"."""
         spoken = r"\s+".join(map(re.escape, text.split()))

@@ -91,6 +91,18 @@ def left_over(phrase: Phrase, sentence: str, found: int) -> Phrase:
     return replace(phrase, count=found - left) if same and found > left else phrase
 
 
+def but_some(phrase: Phrase, sentence: str) -> Phrase:
+    """Without what is left out where that is so many of its own kind: "leave me one spoon"."""
+    match = _LEFT.search(sentence) or _ALL_BUT.search(sentence)
+    found = words(phrase.text)
+    if not match or not found:
+        return phrase
+    own = normal(found[-1])
+    same = own in {normal(each) for each in words(match["noun"])}
+    kept = tuple(each for each in phrase.but if own not in {normal(w) for w in words(each)})
+    return replace(phrase, but=kept) if same else phrase
+
+
 def stays(text: str, sentence: str) -> bool:
     """Whether the sentence has these words left where they are."""
     found = words(text)

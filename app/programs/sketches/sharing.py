@@ -1,5 +1,6 @@
 """Which of several targets shares a property with a thing: its colour, its material, its class."""
 
+import re
 from collections.abc import Callable, Sequence
 
 from app.programs.knowledge.classes import VAGUE, belonging, normal
@@ -8,10 +9,24 @@ from app.programs.knowledge.properties import COLOUR_WORDS, MATERIALS, SIZES
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.matching import find_class
+from app.programs.sketches.sketch import Phrase, Same
 from app.programs.sketches.things import Thing
 
 NAMES = {"color": "colour", "kind": "category", "type": "category", "class": "category"}
 SHAPES = word_list("shapes")
+
+
+def said_to_share(phrase: Phrase) -> Same | None:
+    """What "the tray named after it", "its own box" and "the matching bin" mean: one of the kind."""
+    match = _SHARING.match(phrase.text.lower())
+    return Same("category", match[match.lastgroup or 0]) if match else None
+
+
+_SHARING = re.compile(
+    r"(?:(?:its|their|his|her|own|matching|corresponding|respective|appropriate)\s+)+(?P<own>[\w ]+)$|"
+    r"(?P<after>[\w ]+?) (?:named|called|labelled|labeled|marked) (?:after|for|with) (?:it|them)$|"
+    r"(?P<kind>\w+) (?:of|for) its own(?: kind| sort| type)?$"
+)
 
 
 def sharing(thing: Thing, targets: Sequence[Thing], key: str) -> list[Thing]:

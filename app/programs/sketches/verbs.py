@@ -14,6 +14,10 @@ SPOKEN = word_list("spoken")
 LITERAL = ("push", "pour", "open", "close", "home")
 """Verbs that nobody means who does not say so."""
 _ENGLISH = frozenset(("the", "put", "and", "on", "to", "of", "into", "with", "all", "please"))
+_STATES = re.compile(
+    r"(?:\b(?:is|are|was|stays?|now|wide|already)|(?<!let)'s) (?:open|closed)\b(?! (?:it|the|up)\b)"
+)
+"""Open as something is, not as it is to become: "the play kitchen's open!"."""
 DIRECTIONS = word_list("directions")
 PERSONS = word_list("persons")
 
@@ -38,6 +42,7 @@ def spoken_verbs(actions: Sequence[ActionSignature], sentence: str) -> tuple[Act
     said = {each.strip(".,!?;:") for each in sentence.lower().split()}
     if not said & _ENGLISH:
         return tuple(actions)
+    said = {each.strip(".,!?;:") for each in _STATES.sub(" ", sentence.lower()).split()}
     kept = tuple(
         action
         for action in actions
