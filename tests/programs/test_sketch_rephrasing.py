@@ -10,6 +10,7 @@ from app.programs.sketches.rephrasing import rephrased
             "put it in the left basket... I mean, the rattan basket, please",
             "put it in the rattan basket, please",
         ),
+        ("Bar the saw, the tools go in the box.", "Except for the saw, the tools go in the box."),
         ("move the scarf in between the other two, please", "move the middle scarf, please"),
         ("these go in the warm wash, that is, the white hamper", "these go in the white hamper"),
         ("give the big case a good shove", "push the big case"),

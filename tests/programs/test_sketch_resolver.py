@@ -219,6 +219,19 @@ def test_push_is_offered_where_the_sentence_says_so(sentence, wanted):
     assert (push in spoken_verbs((*ACTIONS, push), f"please {sentence}")) == wanted
 
 
+@pytest.mark.parametrize(
+    ("sentence", "wanted"),
+    [
+        ("the play kitchen's open! put the bun on the plate", False),
+        ("the drawer is closed, so open it and put the bun in", True),
+        ("let's open the drawer", True),
+    ],
+)
+def test_what_is_open_is_not_to_be_opened(sentence, wanted):
+    opening = ActionSignature(name="open", parameters=(Parameter(name="obj"),), meaning="")
+    assert (opening in spoken_verbs((*ACTIONS, opening), sentence)) == wanted
+
+
 def test_what_the_sentence_puts_on_what_wins_over_the_sketch():
     found = _calls(
         "put_on('blue block', 'red block')",
