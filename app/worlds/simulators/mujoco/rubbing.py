@@ -15,7 +15,7 @@ from app.worlds.simulators.mujoco.scene_builder import CELLS, ObjectBody
 
 Array = NDArray[np.float64]
 
-EVERY = 10
+EVERY = 20
 """So many time steps lie between two observations."""
 SMALLEST = 0.0012
 """A level top of a smaller area is none [m²]."""
@@ -42,6 +42,7 @@ class Rubbing:
         self._bodies = bodies
         self._fingers = set(fingers)
         self._names = {part: name for name, body in bodies.items() for part in body.parts}
+        self._is_object = np.isin(np.arange(model.nbody), list(self._names))
         self._index = {name: index for index, name in enumerate(bodies)}
         self._tops: dict[str, LevelTop] = {}
 
@@ -64,8 +65,10 @@ class Rubbing:
 
     def observe(self, data: mujoco.MjData) -> None:
         """Mark what is being rubbed now."""
-        pairs = self._model.geom_bodyid[data.contact.geom[: data.ncon]].tolist()
-        touching = {(first, second) for pair in pairs for first, second in (pair, pair[::-1])}
+        pairs = self._model.geom_bodyid[data.contact.geom[: data.ncon]]  # (k, 2)
+        if not self._is_object[pairs].all(axis=1).any():
+            return  # No object touches another, as is the case most of the time.
+        touching = {(a, b) for pair in pairs.tolist() for a, b in (pair, pair[::-1])}
         touched = {(self._name(first), second) for first, second in touching}
         held = [n for n in self._bodies if all((n, finger) in touched for finger in self._fingers)]
         for tool in held:
