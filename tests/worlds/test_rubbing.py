@@ -70,3 +70,11 @@ def test_a_scene_whose_robot_does_not_wipe_keeps_no_record(tabletop, scene_of):
     world = tabletop.open(scene_of(sponge=(0.45, 0.25), book=(0.4, 0.05)), 0)
     assert world.physics.rubbing is None
     assert not world.holds(Relation("wiped", ("book",)))
+
+
+def test_what_lies_on_its_side_has_no_top_to_wipe(dusty, carry_out, move):
+    move(dusty, "book", (0.4, 0.05, 0.06), (0.5**0.5, 0.5**0.5, 0.0, 0.0))
+    dusty.settle()
+    with pytest.raises(ActionFailure):
+        carry_out(dusty, "book", "sponge", action="wipe")
+    assert not dusty.holds(Relation("wiped", ("book",)))

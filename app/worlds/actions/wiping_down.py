@@ -113,6 +113,8 @@ class WipingDown(Borrowing[tuple[Pass, ...]]):
     def _check_done(self) -> None:
         if not self._wiped():
             raise ActionFailure("check", f"too little of {self._target} was wiped")
+        if not self._cell.relations.holds(Relation("upright", (self._target,))):
+            raise ActionFailure("check", f"{self._target} was knocked over")
 
     def _wiped(self) -> bool:
         return self._cell.relations.holds(Relation("wiped", (self._target,)))

@@ -58,9 +58,14 @@ class Patch:
     """Half those edges, shape (2,) [m]."""
 
     @property
+    def reach(self) -> Array:
+        """How far the level reaches along its edges from the middle, shape (2,) [m]."""
+        return np.abs(self._along_edges()).max(axis=0)
+
+    @property
     def room(self) -> Array:
         """How far it gets along its edges from the middle, all of it on the level; (2,) [m]."""
-        return np.maximum(0.0, np.abs(self._along_edges()).max(axis=0) - self.half)
+        return np.maximum(0.0, self.reach - self.half)
 
     @property
     def axes(self) -> Array:

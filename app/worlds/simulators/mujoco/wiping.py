@@ -180,8 +180,9 @@ class Wiping:
         Returns:
             The course and what is covered; see ``Pass`` and ``_Option``.
         """
-        room = patch.room
-        along = int(np.argmax(room))
+        room, reach = patch.room, patch.reach
+        # Where there is no room either way: along what is drawn over, which is less easily tipped.
+        along = max((0, 1), key=lambda axis: (max(SHORTEST, room[axis]), reach[axis]))
         ahead, aside = patch.axes[[along, 1 - along]]
         low, high = self._span(patch, pose, joints, np.zeros(2), aside * room[1 - along])
         width = 2 * float(patch.half[1 - along])
