@@ -20,7 +20,7 @@ FEEL, DEEPEST = 0.001, 0.018
 """It comes down by such steps, and so far below where it should have been met at most [m]."""
 HELD_UP = 0.0004
 """What lies on something keeps the gripper so far above where it is told to be [m]."""
-STILL = 0.15
+STILL = 0.3
 """So long the arm comes to rest before that is measured [s]."""
 
 

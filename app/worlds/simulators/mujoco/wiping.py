@@ -40,7 +40,7 @@ ENOUGH = 0.85
 """Once this share of the level is covered, nothing more is looked for."""
 ADDED = 0.06
 """A second pass, turned otherwise, covers at least this share more."""
-FEWEST = 0.5
+FEWEST = 0.35
 """What covers less than this share is not worth it."""
 TURNS = np.radians([0, 90, -90, 180, 45, -45])
 """How what is held may be turned from where its edges lie along those of the top [rad]."""
