@@ -25,6 +25,7 @@ TALL = ("can", "bottle", "cup", "candle", "battery", "salt_shaker")
 STACKED = ("block", "can", "cup", "neutral")
 SUPPORTS = ("book", "plate", "tray", "cracker_box")
 POURED_INTO = ("bowl", "box", "basket")
+WIPED = ("plate", "tray", "book", "cracker_box")
 SMALLEST_CONTAINER = 0.14
 """Narrower ones, mugs and cups, take only some objects [m]."""
 Rng = np.random.Generator
@@ -138,6 +139,13 @@ def _pour(rng: Rng) -> Case:
     return Case(scene=scene, seed=seed, arguments=(source, target), wanted=wanted)
 
 
+def _wipe(rng: Rng) -> Case:
+    """Something with a level top, and a sponge, which must be put back."""
+    scene, seed, (item, tool) = _table(rng, str(rng.choice(WIPED)), "sponge")
+    wanted = (Relation("wiped", (item,)), Relation("upright", (item,)))
+    return Case(scene=scene, seed=seed, arguments=(item, tool), wanted=wanted)
+
+
 def _push(rng: Rng) -> Case:
     """In a direction in which there is room."""
     while True:
@@ -200,6 +208,7 @@ CASES: dict[str, Callable[[Rng], Case]] = {
     "place_at": _at,
     "pour": _pour,
     "push": _push,
+    "wipe": _wipe,
     "upright": _upright,
     "open": _shutting("open"),
     "close": _shutting("closed"),

@@ -22,7 +22,7 @@ PARTICLES = ("on", "off", "up", "down", "open", "back", "away", "out")
 PREPOSITIONS = ("into", "onto", "next_to", "from", "with", "over", "under", "in", "on", "to", "at")
 STEMS = ("put", "place", "plug", "switch", "turn", "walk", "look", "stand", "sit", "pour", "move")
 """Verbs that a preposition or a particle may be written to without a gap: ``putin``, ``switchon``."""
-TARGETS = {"stack": "on", "back": "on", "give": "to", "hand": "to", "throw": "at"}
+TARGETS = {"stack": "on", "back": "on", "give": "to", "hand": "to", "throw": "at", "wipe": "with"}
 """What stands before the second of two things where the action's name has no preposition: else *in*."""
 PLACES = {"walk": "to", "go": "to", "look": "at", "sit": "on", "point": "at"}
 """What stands between such a verb and its only object."""

@@ -87,6 +87,7 @@ class Tabletop:
             physics.restore(state[_COUNT.size :])
         relations = Relations(physics)
         facts = relations.every_fact() | _affordances(built, relations)
+        facts |= {Relation("level", (name,)) for name in built.bodies if physics.is_level(name)}
         return SymbolicWorld(scene, facts, primitives)
 
 

@@ -23,6 +23,7 @@ def ordered(signature, sentence, *texts):
         (verb("drizzle", "sauce", "dish"), "drizzle the oil over the salad", ("oil", "salad")),
         (verb("load", "container", "obj"), "load the oil into the jug", ("jug", "oil")),
         (verb("wipe", "tool", "surface"), "wipe the pane with the rag", ("rag", "pane")),
+        (verb("wipe", "obj", "tool"), "clean the plate using the sponge", ("plate", "sponge")),
     ],
 )
 def test_small_words_and_names_of_parameters_tell_which_is_which(signature, sentence, wanted):

@@ -25,6 +25,7 @@ from app.programs.wording import all_calls, read_steps, say, speak, spoken_promp
         ("open('fridge')", "open the fridge"),
         ("place_next_to('cup', 'plate')", "place the cup next to the plate"),
         ("wipe_with('table', 'sponge')", "wipe the table with the sponge"),
+        ("wipe('plate', 'sponge')", "wipe the plate with the sponge"),
         ("stack('cup', 'bowl')", "stack the cup on the bowl"),
         ("open_gripper()", "open gripper"),
         ("move('cup', 0.5, 0.25)", "move the cup in 0.5 0.25"),

@@ -33,6 +33,7 @@ CASES = {
     "push": (("can", "right"), ["upright(can)"]),
     "stack": (("block", "book"), ["on(block, book)"]),
     "upright": (("can",), ["upright(can)"]),
+    "wipe": (("plate", "sponge"), ["wiped(plate)", "upright(plate)"]),
 }
 """What each is called with, and what of the relations must hold afterwards."""
 BEFORE = {"home": [("pick", ("block",))]}
@@ -74,11 +75,20 @@ def laid():
 
 
 @pytest.fixture
-def prepared(scene, furnished, laid, carry_out):
+def dusty():
+    objects = (
+        SceneObject(name="sponge", position=(0.45, 0.25, 0.0), yaw=0.3),
+        SceneObject(name="plate", position=(0.5, -0.1, 0.0), yaw=0.0),
+    )
+    return Scene(world="tabletop", objects=objects, actions=tuple(actions))
+
+
+@pytest.fixture
+def prepared(scene, furnished, laid, dusty, carry_out):
     """A world of a kind as it must be before a verb's call."""
 
     def prepare(name, open_world):
-        scenes = {"open": furnished, "close": furnished, "pour": laid}
+        scenes = {"open": furnished, "close": furnished, "pour": laid, "wipe": dusty}
         world = open_world(scenes.get(name, scene))
         for action, arguments in BEFORE.get(name, []):
             carry_out(world, *arguments, action=action)
@@ -143,6 +153,8 @@ def test_in_physics_it_has_the_effects_it_says_it_has(name, tabletop, prepared, 
         ("place_at", ("apple", 0.9, 0.9), "out of reach"),
         ("push", ("apple", "sideways"), "there is left, right, forward, back"),
         ("open", ("apple",), "no drawer, door or lid"),
+        ("wipe", ("apple", "block"), "no level top"),
+        ("wipe", ("book", "box"), "nothing to wipe with"),
     ],
 )
 def test_what_cannot_be_is_refused_alike_in_the_facts_and_in_physics(

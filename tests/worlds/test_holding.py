@@ -72,6 +72,20 @@ def test_a_vessel_that_is_held_already_is_poured_from_and_stays_held(tabletop, c
 
 
 @pytest.mark.parametrize("executor", ["open", "open_perfect"])
+def test_a_sponge_that_is_held_already_is_wiped_with_and_stays_held(tabletop, carry_out, executor):
+    objects = (
+        SceneObject(name="sponge", position=(0.45, 0.25, 0.0), yaw=0.3),
+        SceneObject(name="plate", position=(0.5, -0.1, 0.0), yaw=0.0),
+    )
+    scene = Scene(world="tabletop", objects=objects, actions=("pick", "wipe"))
+    world = getattr(tabletop, executor)(scene, 0)
+    carry_out(world, "sponge", action="pick")
+    carry_out(world, "plate", "sponge", action="wipe")
+    for relation in (Relation("wiped", ("plate",)), Relation("held", ("sponge",))):
+        assert world.holds(relation), relation
+
+
+@pytest.mark.parametrize("executor", ["open", "open_perfect"])
 def test_a_shut_drawer_takes_nothing_and_says_what_would_help(tabletop, carry_out, executor):
     objects = (
         SceneObject(name="block", position=(0.45, 0.25, 0.0), yaw=0.0),

@@ -11,7 +11,7 @@ PLACES = word_list("places")
 """Names of parameters that say where a thing goes."""
 SPOKEN = word_list("spoken")
 """Names of parameters that take words, not objects."""
-LITERAL = ("push", "pour", "open", "close", "home")
+LITERAL = ("push", "pour", "open", "close", "home", "wipe")
 """Verbs that nobody means who does not say so."""
 _ENGLISH = frozenset(("the", "put", "and", "on", "to", "of", "into", "with", "all", "please"))
 _STATES = re.compile(

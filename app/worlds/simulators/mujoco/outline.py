@@ -111,10 +111,10 @@ class SeenOutlines:
         rim, floor = (float(level) for level in np.quantile(points[:, 2], (0.98, 0.0)))
         height = rim - floor
         edge = points[points[:, 2] > rim - max(0.004, RIM * height), :2]
-        hull = _hull(edge)
-        if hull is None:
+        edges = hull(edge)
+        if edges is None:
             raise _tipped(body.name)
-        edges = hull + np.array([0.0, 0.0, WALL])
+        edges = edges + np.array([0.0, 0.0, WALL])
         corner = (edge.min(axis=0) + edge.max(axis=0)) / 2
         outline = Outline(corner, rim, edges)
         inner = points[outline.roomy(points[:, :2]), 2]
@@ -125,7 +125,7 @@ class SeenOutlines:
         return outline
 
 
-def _hull(points: Array) -> Array | None:
+def hull(points: Array) -> Array | None:
     """Half planes around points (n, 2), shape (k, 3); None where they enclose no area."""
     if len(points) < FEWEST:
         return None

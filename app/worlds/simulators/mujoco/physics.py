@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.domain.trace import Frame
+from app.worlds.simulators.mujoco.rubbing import EVERY, Rubbing
 from app.worlds.simulators.mujoco.scene_builder import BuiltScene, ObjectBody
 
 Array = NDArray[np.float64]
@@ -46,6 +47,10 @@ class Physics:
         self._steps = 0
         self._sampled = 0
         self._frames: list[Frame] = []
+        fingers = tuple(int(self.model.body(name).id) for name in self.arm.fingers)
+        wiping = self.model.nuserdata > 0
+        self.rubbing = Rubbing(self.model, self.bodies, fingers) if wiping else None
+        """Where tops were rubbed, in scenes whose robot wipes."""
         self.woken = 0
         """How often ``wake`` was called: a number for the action that is under way."""
         arm, opened = self.arm, self.arm.largest_opening
@@ -77,6 +82,11 @@ class Physics:
         return self.arm.opening_at(self.data.qpos[self.arm.finger_part])
 
     @property
+    def commanded_joints(self) -> Array:
+        """The joint angles the arm is told to be at, shape (n,) [rad]."""
+        return self.data.ctrl[self.arm.arm_part].copy()
+
+    @property
     def commanded_opening(self) -> float:
         """How far each finger is told to be from the middle [m]."""
         return self.arm.commanded_at(float(self.data.ctrl[self._gripper]))
@@ -105,6 +115,8 @@ class Physics:
             self._sample()
         mujoco.mj_step(self.model, self.data)
         self._steps += 1
+        if self.rubbing and self._steps % EVERY == 0 and self._closed():
+            self.rubbing.observe(self.data)
 
     def begin(self) -> None:
         """Let everything settle, then call it time 0."""
@@ -145,6 +157,10 @@ class Physics:
         """Height of an object's origin above the table [m]."""
         return float(self.data.qpos[body.qpos_address + 2])
 
+    def is_level(self, name: str) -> bool:
+        """Whether an object has a level top that can be wiped."""
+        return self.rubbing is not None and self.rubbing.is_level(name)
+
     def stand(self) -> mujoco.MjData:
         """How everything stands: poses from ``qpos``.
 
@@ -181,6 +197,9 @@ class Physics:
         mujoco.mj_setState(self.model, self.data, numbers[:size].copy(), _EVERYTHING)
         rows = numbers[size:].reshape(waiting, 1 + self.model.nq).tolist()
         self._frames = [Frame(time=row[0], positions=tuple(row[1:])) for row in rows]
+
+    def _closed(self) -> bool:
+        return self.commanded_opening < self.arm.largest_opening - 1e-9
 
     def _state(self) -> Array:
         state = np.empty(mujoco.mj_stateSize(self.model, _EVERYTHING))

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 RELATIONS = {
     "in": 2, "on": 2, "left_of": 2, "right_of": 2, "in_front_of": 2, "behind": 2, "near": 2,
     "upright": 1, "held": 1, "open": 1, "closed": 1, "clear": 1, "handed_over": 1,
-    "poured": 2,
+    "poured": 2, "wiped": 1,
 }  # fmt: skip
 """What can be decided, with the number of arguments."""
 TOUCH = 0.001
@@ -49,6 +49,8 @@ ACROSS = REACH[1] + 0.005
 begins with an object there."""
 MOST_BEADS = 0.8
 """This share of the beads must have arrived."""
+MOST_OF_TOP = 0.6
+"""This share of a level top must have been rubbed; a rim keeps the gripper from the rest."""
 CARRIES = 0.5
 """The upward part of the normal from which on a contact carries what is above it."""
 
@@ -94,6 +96,8 @@ class Relations:
         - ``handed_over(a)``: a stands on the table, its middle at least ``ACROSS`` ahead of the robot,
           before the person on the other side, and nothing holds it.
         - ``poured(a, b)``: of the beads that were in a, at least ``MOST_BEADS`` lie in b.
+        - ``wiped(a)``: something in the gripper was drawn over at least ``MOST_OF_TOP`` of a's level
+          top, touching a; see ``rubbing``.
         """
         items = [self._bodies.get(name) for name in relation.arguments]
         if None in items or len(items) != RELATIONS.get(relation.name):
@@ -263,6 +267,10 @@ class Relations:
         places = [self._in_cavity(bead, target) for bead in beads]
         arrived = [_within(p, opening) and 0 < p[2] < opening.rim + HEAP for p in places]
         return sum(arrived) >= MOST_BEADS * len(beads)
+
+    def _wiped(self, item: ObjectBody) -> bool:
+        rubbing = self._physics.rubbing
+        return rubbing is not None and rubbing.share(self._physics.data, item.name) >= MOST_OF_TOP
 
     def _in_cavity(self, body: int, container: ObjectBody) -> Array:
         """A body's centre of mass in the frame of the container's opening, shape (3,) [m]."""

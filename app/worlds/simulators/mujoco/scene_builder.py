@@ -28,6 +28,8 @@ TABLE_CENTRE = (0.35, 0.0, -0.02)
 FLOOR_HEIGHT = -0.75
 CLEARANCE = 0.0005
 """Objects start this far above their place [m] and settle onto it."""
+CELLS = 400
+"""Into so many cells an object's top is divided where it can be wiped; see ``rubbing``."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,6 +86,8 @@ def build(scene: Scene, *, visuals: bool = True) -> BuiltScene:
         if opening is not None and has_beads(item):
             add_beads(spec, f"object/{index}", item, opening)
             filled[item.name] = f"object/{index}"
+    if "wipe" in (scene.actions or ()):
+        spec.nuserdata = CELLS * len(scene.objects)
     model = spec.compile()
     beads = {
         name: tuple(int(model.body(f"{body}/bead/{k}").id) for k in range(COUNT))

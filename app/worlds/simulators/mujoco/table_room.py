@@ -13,6 +13,7 @@ from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.destination import Destination, Landing
 from app.worlds.simulators.mujoco.outline import Outlines
 from app.worlds.simulators.mujoco.placement import BASE_RADIUS, REACH, SECTOR
+from app.worlds.simulators.mujoco.rectangle import Rectangle
 from app.worlds.simulators.mujoco.relief import CELL, STEP, Relief, Spot
 from app.worlds.simulators.mujoco.scene_builder import ObjectBody
 
@@ -105,13 +106,13 @@ class TopMiddle(Destination):
         super().__init__(outlines, body, clouds, moved)
         cloud = clouds[body.name]
         top = cloud.points[cloud.points[:, 2] > self.rim - 0.004][:, :2]
-        self._yaw = _squared(top)
-        self.centre = _middle(top, self._yaw)
+        rectangle = Rectangle.about(top)
+        self._yaw, self.centre = rectangle.yaw, rectangle.middle
 
     def landings(self, points: Array, middle: Array, turns: Array) -> list[Landing]:
         """Over the middle, its edges along those of the support, or as near as the arm can."""
         del middle  # The box's middle is meant, not the mass's.
-        own = _squared(points[:, :2])
+        own = Rectangle.about(points[:, :2]).yaw
         square = self._yaw - own + np.arange(-2, 3) * np.pi / 2
         spot = (float(self.centre[0]), float(self.centre[1]), self.rim)
         aligned = [Landing(turn, Spot(*spot, 0.01 * abs(turn))) for turn in square.tolist()]
@@ -122,18 +123,3 @@ def _in_reach(places: Array, farthest: float) -> NDArray[np.bool_]:
     distance = np.hypot(places[..., 0], places[..., 1])
     bearing = np.abs(np.arctan2(places[..., 1], places[..., 0]))
     return (distance > BASE_RADIUS + 0.08) & (distance < farthest) & (bearing < SECTOR)
-
-
-def _squared(points: Array) -> float:
-    """The turn, in [0, pi/2), of the smallest rectangle about points, shape (n, 2) [rad]."""
-    angles = np.linspace(0, np.pi / 2, 46)[:-1]
-    across = points @ np.stack([np.cos(angles), np.sin(angles)])  # (n, 45)
-    along = points @ np.stack([-np.sin(angles), np.cos(angles)])
-    return float(angles[np.argmin(np.ptp(across, axis=0) * np.ptp(along, axis=0))])
-
-
-def _middle(points: Array, yaw: float) -> Array:
-    """The middle of the rectangle about points, turned by ``yaw``; shape (2,) [m]."""
-    turn = np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]])
-    local = points @ turn
-    return turn @ ((local.min(axis=0) + local.max(axis=0)) / 2)
