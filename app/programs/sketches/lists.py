@@ -1,7 +1,7 @@
 """A list of what goes where, read from its words alone: "pliers, red crate; tape, green crate; …".
 
-With three containers and more, models of this size drop a line or mix two up, while the words tell
-all there is to tell: things and containers by their names, in turn.
+With several containers, models of this size drop a line now and then, while the words tell all there
+is to tell: things and containers by their names, in turn.
 """
 
 import itertools
@@ -15,8 +15,8 @@ from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
 from app.programs.sketches.towers import Mention, Pair
 
-FEWEST = 3
-"""Containers of a list: one or two a model reads well."""
+FEWEST = 2
+"""Containers of a list."""
 _KEEPING = word_list("keeping")
 """Words of a sentence in which some things stay."""
 

@@ -25,7 +25,8 @@ SITUATED, LEAD = 0.35, 0.1
 """The likeness to a situation that is told beside, and how far the likeliest has to be ahead."""
 _WISH = re.compile(
     r"\b(?:what(?:ever)?|(?:some|any)thing|the (?:thing|one|object|item|tool|implement|gadget|device))"
-    r"(?: that| which)? (?:(?:i|you|we|people|one|they|he|she|to|for)\b|\w+s (?:you|me|us|one)\b)"
+    r"(?:'s gonna|'s going to|'ll)?(?: that| which)? (?:(?:i|you|we|people|one|they|he|she|to|for)\b|\w+s (?:you|me|us|one|the|my|your|that|this|his|her|it)\b|"
+    r"(?:will|would|can|could|might|helps?|is going to|is gonna|keeps?|gets?|makes?)\b)"
     r"[^,.;:!?]*?"
     r"(?=,|\.|;|:|!|\?| should | must | goes? | belongs? | needs? | wants? | has | is | in the | into | on the )",
     re.I,
@@ -82,7 +83,7 @@ class Meaning:
         found = [(thing, COUNTS) for likely, thing in scores if likely >= least]
         if found or not is_clause(described):
             return found
-        return self._told_by(self._sentence, without)
+        return self._ahead(scores) or self._told_by(self._sentence, without)
 
     def wished(self, described: Description, without: Collection[str]) -> Fits:
         """What a clause tells of of which the words are a part: "what i use to look at the specimens"."""
@@ -122,6 +123,13 @@ class Meaning:
         scores = self._judge(told, [(thing.name, *uses(thing.name)) for thing in free])
         (second, _), (best, thing) = sorted(zip(scores, free, strict=True), key=lambda s: s[0])[-2:]
         return [(thing, COUNTS)] if best >= max(SITUATED, second + LEAD) else []
+
+    def _ahead(self, scores: list[tuple[float, Thing]]) -> Fits:
+        """The likeliest, where it is well ahead of all others."""
+        ordered = sorted(scores, key=lambda each: each[0])
+        if len(ordered) < 2 or ordered[-1][0] < max(SITUATED, ordered[-2][0] + LEAD):
+            return []
+        return [(ordered[-1][1], COUNTS)]
 
     def _classed(self, described: Description, without: Collection[str]) -> list[Thing]:
         """The things of a class that the words describe: it is asked where it knows the likeliest."""

@@ -80,10 +80,12 @@ def unsaid(
 def _said(action: str, said: set[str]) -> bool:
     """Whether all words of its name but the smallest stand in the sentence."""
     parts = [stem(each) for each in words(action) if len(each) > 2 and each not in _SMALL]
-    return bool(parts) and all(part in said for part in parts)
+    return not set(parts) <= _PUTTING and all(part in said for part in parts)
 
 
 _SMALL = frozenset(("and", "into", "onto", "with", "from", "obj", "object", "item"))
+_PUTTING = frozenset(("put", "place", "move", "set", "lay"))
+"""Verbs that any other verb of putting says as well."""
 _NEGATIONS = frozenset(
     ("not", "don't", "dont", "never", "no", "without", "instead", "rather", "leave")
 )

@@ -82,6 +82,17 @@ _GETS = re.compile(
     r"(?P<start>^|[.;,] )(?P<what>(?:the )?[\w-]+(?: [\w-]+)?) gets? (?P<where>(?:the|my|a) [\w -]+?)(?=[,.;]|$| and )",
     re.I,
 )
+_HOLDER = re.compile(
+    r"(?:box|bin|crate|basket|tray|bowl|bag|drawer|tin|jar|rack|shelf|bucket|case|cup)$", re.I
+)
+_SIDE = re.compile(r"\b(left|right)[- ]hand side\b", re.I)
+_HASTE = re.compile(
+    r",? (?:and )?(?:be )?(?:as )?(?:quick|quickly|fast|soon) as (?:you can|possible)\b", re.I
+)
+_HANDS_OFF = re.compile(
+    r"\b(?:nobody|no one|don't|do not|never)(?: is to)? (?:lays?|puts?) (?:a finger|a hand|hands) on\b",
+    re.I,
+)
 _INSIDE = re.compile(
     r"\bopen(?: up)? (?P<box>(?:the|my) [\w ]+?),? (?P<link>(?:and |then )*)"
     r"(?P<deed>\w+ (?:the|my|a|some) [\w ]+?) (?:inside|in there|in it)(?=[,;.]| and |$)",
@@ -92,7 +103,7 @@ _INTRODUCING = word_list("introducing")
 """Words before a colon that promise a list and say nothing themselves: "my things: …", "like so: …"."""
 STAYS = re.compile(
     r"^(?:the|my|your|those|these|that|this|all the)\b[^,:]*?\b(?:can |should |must |may |shall |will )?stays?"
-    r"(?: put| here| there| where (?:it is|they are|it's|they're)| as (?:it is|they are)| behind| home| away| out(?: of (?:it|this))?|)\s*[.!]?$",
+    r"(?: put| here| there| where (?:it is|they are|it's|they're)| as (?:it is|they are)| behind| home| away| out(?: of (?:it|this))?|)(?:, [^.!;]*)?\s*[.!]?$",
     re.I,
 )
 _NONE = re.compile(r"^no [\w' -]+[.!]?$", re.I)
@@ -102,19 +113,28 @@ _WHOLE = re.compile(r"\b(?:every\w*|all|rest|any\w*|others?|remaining|each|whole
 
 def rephrased(sentence: str) -> str:
     """The English sentence without corrections, gifts of a push, and introductions."""
-    text = _CORRECTION.sub(r"\1 ", sentence)
+    text = _HASTE.sub("", _SIDE.sub(r"\1", _HANDS_OFF.sub("leave", sentence)))
+    text = _CORRECTION.sub(r"\1 ", text)
     text = _GIVEN.sub(lambda found: f"{_deed(found['deed'])} {found['what']}", text)
     text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
     text = _BAR.sub(" except ", _ONLY.sub("", _ASIDE.sub("", text)))
     text = _BAR_FIRST.sub("Except for ", text)
     text = _IF.sub(lambda found: f"everything {found['so']} {found['goes']}", text)
     text = _BOTH.sub(r"all the \1 \2 things", text)
-    text = _GETS.sub(lambda found: f"{found['start']}put {found['what']} in {found['where']}", text)
+    text = _GETS.sub(_given_to, text)
     text = _INSIDE.sub(r"open \g<box>, \g<link>\g<deed> in \g<box>", text)
     text = _BETWEEN.sub(r"\g<which> middle \g<what>", _OTHERS_STAY.sub("", text))
     if len(_COLON_LIST.findall(text)) > 1:
         text = _COLON_LIST.sub(lambda found: f"put {found['what']} in {found['where']}", text)
     return _introduced(_without_stays(_listed(text)))
+
+
+def _given_to(found: re.Match[str]) -> str:
+    """Who gets what: "clothes get the suitcase" as well as "the toolbox gets the tools"."""
+    what, where = found["what"], found["where"]
+    if _HOLDER.search(what) and not _HOLDER.search(where):
+        what, where = where, what
+    return f"{found['start']}put {what} in {where}"
 
 
 def _deed(word: str) -> str:

@@ -108,6 +108,9 @@ class Selection:
         equal = self._twins(equal, phrase, found, best)
         if len(equal) > 1 and "other" in words(self.sentence):
             equal = [t for t in equal if t.name not in self.spoken] or equal
+        if len(equal) > 1:
+            whole = [t for t in equal if len(t.words) > 1 and plain(t.name) in plain(self.sentence)]
+            equal = whole if len(whole) == 1 else equal
         if len(equal) > 1 and not self.indefinite(phrase.text):
             raise ambiguous(phrase.text, equal, self.asked)
         return Found((equal[0],), best)

@@ -60,6 +60,12 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
     """With the number that the sentence says before the words: "one of the eggs", "two eggs"."""
     if phrase.quantity != "all":
         return phrase
+    if re.search(
+        rf"\bboth (?:of )?(?:the |my |your |these |those )?{re.escape(phrase.text)}\b",
+        sentence,
+        re.I,
+    ):
+        return replace(phrase, count=None)
     if phrase.count is not None and not re.search(r"\bof the \w+ ", sentence, re.I):
         return phrase
     spoken = r"\s+".join(map(re.escape, phrase.text.split()))

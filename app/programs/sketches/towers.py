@@ -33,11 +33,11 @@ _START = re.compile(r"\bstart(?:ing)? (?:from|with)(?: the| a| an| my| that| thi
 _DOWN = re.compile(r"top to bottom|from the top\b|top down|from above|downwards", re.I)
 _UP = re.compile(r"bottom to top|bottom up|from the bottom|ground up|upwards", re.I)
 _LOWEST = re.compile(
-    r"\b(?:bottom|lowest|base|below|undermost|underneath|foundation)\b",
+    r"\b(?:bottom|lowest|base|below|undermost|underneath|foundation|floor of|foot of)\b",
     re.I,
 )
 _HIGHEST = re.compile(
-    r"\b(?:highest|uppermost|topmost)\b|\bon top of (?:it all|everything|them all|all)\b|"
+    r"\b(?:highest|uppermost|topmost|crowns?|crown the lot)\b|\bon top of (?:it all|everything|them all|all)\b|"
     r"\b(?:on|at|to)(?: the)?(?: very)? top\b(?! of)",
     re.I,
 )

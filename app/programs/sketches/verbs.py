@@ -15,7 +15,8 @@ LITERAL = ("push", "pour", "open", "close", "home", "wipe")
 """Verbs that nobody means who does not say so."""
 _ENGLISH = frozenset(("the", "put", "and", "on", "to", "of", "into", "with", "all", "please"))
 _STATES = re.compile(
-    r"(?:\b(?:is|are|was|stays?|now|wide|already)|(?<!let)'s) (?:open|closed)\b(?! (?:it|the|up)\b)"
+    r"(?:\b(?:is|are|was|stays?|now|wide|already|an?)|(?<!let)'s) (?:open|closed)\b(?! (?:it|the|up)\b)|"
+    r"\b(?:left|leave|kept|standing)(?: (?:the|my|that)(?: \w+){1,3}?)? open\b"
 )
 """Open as something is, not as it is to become: "the play kitchen's open!"."""
 DIRECTIONS = word_list("directions")
