@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from app.domain.action import ActionSignature
 from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import ActionCall, Argument, Comment, Statement
-from app.programs.knowledge.names import words
+from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.arguments import Arguments
 from app.programs.sketches.course import Course
@@ -72,6 +72,7 @@ class Composer:
         calls = [each for each in sketch.body if isinstance(each, SketchCall)]
         calls = self._piled_up([c for c in calls if not self._left_alone(c)] or calls)
         self._name(calls)
+        self._course.goals = self._goals(calls)
         body: list[Statement] = []
         still: list[Statement] = []
         for call in dict.fromkeys(calls):
@@ -117,10 +118,24 @@ class Composer:
                     phrases = [argument, *(Phrase(text=each) for each in argument.but)]
                 elif isinstance(argument, Same | Each):
                     phrases = [Phrase(text=argument.text, quantity="all")]
-                for phrase in phrases:
+                for phrase in (replace(each, quantity="all") for each in phrases):
                     if self._selection.possible(phrase):
                         found = self._selection.all(phrase).things
                         self._course.named |= {thing.name for thing in found}
+
+    def _goals(self, calls: Sequence[SketchCall]) -> set[str]:
+        """What is called by its name as a place: a set takes in none of it."""
+        names = {plain(thing.name): thing.name for thing in self._selection.things}
+        found: set[str] = set()
+        for call in calls:
+            signature = self._signatures.get(call.action)
+            place = place_of(signature, ()) if signature else None
+            if place is None or place >= len(call.arguments):
+                continue
+            target = call.arguments[place]
+            if isinstance(target, Phrase) and (name := names.get(plain(target.text))):
+                found.add(name)
+        return found
 
     def _statements(self, call: SketchCall, still: list[Statement]) -> list[Statement]:
         signature = self._signatures.get(call.action)

@@ -15,6 +15,8 @@ class Course:
     """Where they were put."""
     named: set[str] = field(default_factory=set)
     """Things that the sketch names anywhere."""
+    goals: set[str] = field(default_factory=set)
+    """Things that the sketch calls by their names as places."""
     sureness: float = 1.0
     """Of the least sure of all words, 0 to 1."""
 

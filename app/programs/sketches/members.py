@@ -1,7 +1,10 @@
 """An argument that stands for several objects → its members, and the places they are shared out among."""
 
+import re
+
 from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import Argument
+from app.programs.knowledge.classes import normal
 from app.programs.knowledge.names import words
 from app.programs.sketches.arguments import Arguments
 from app.programs.sketches.course import Course
@@ -53,7 +56,7 @@ class Members:
                 for t in self._selection.things
                 if t.name not in avoid | self._course.named | self._course.taken
             ]
-            found = movable(free, self._selection)
+            found = movable(self._others_said(free), self._selection)
             if not found:
                 raise self._selection.absent("other thing")
             return found
@@ -61,6 +64,8 @@ class Members:
             raise ProgramRefused(Fault(field="program", message="a set is wanted"))
         avoid = avoid | staying(self._selection.things, self._selection.asked)
         argument = but_some(argument, self._selection.sentence)
+        places = avoid | self._course.goals
+        avoid = places if self._selection.possible(argument, places) else avoid
         selected = self._selection.all(argument, avoid, affordance=affordance)
         self._course.doubt(selected.sureness)
         found = list(selected.things)
@@ -76,6 +81,12 @@ class Members:
         if not found:
             raise self._selection.absent(argument.text)
         return found
+
+    def _others_said(self, free: list[Thing]) -> list[Thing]:
+        """Those of the kind that is told: of "the other marker" no pen."""
+        match = re.search(r"\bthe other (\w+)", self._selection.sentence, re.I)
+        said = normal(match[1]) if match else ""
+        return [thing for thing in free if said in map(normal, thing.words)] or free
 
     def _counted(
         self, phrase: Phrase, found: list[Thing], fixed: dict[int, Argument]

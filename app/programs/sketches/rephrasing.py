@@ -71,6 +71,15 @@ _BETWEEN = re.compile(
     r"(?: sitting| lying| standing)? (?:in )?between the other (?:two|ones)\b",
     re.I,
 )
+_MIDDLE = re.compile(
+    r"\bthe (?P<what>(?:\w+ )??\w+) in the (?:middle|cent(?:re|er))"
+    r"(?= (?:goes|belongs|should|must|can|needs|in|inside|into|on|onto|to)\b)",
+    re.I,
+)
+_WHICH_BOTH = re.compile(
+    r"\bwhich (?P<what>\w+) are both (?P<one>\w+) and (?P<other>\w+)\? (?P<deed>\w+) (?:those|them|these)\b",
+    re.I,
+)
 _COLON_LIST = re.compile(
     r"(?:(?<=^)|(?<=[.!;] ))(?P<what>[A-Z][\w' -]*): (?P<where>(?:the )?[\w' -]+)(?=[.;]|$)"
 )
@@ -123,6 +132,8 @@ def rephrased(sentence: str) -> str:
     text = _BOTH.sub(r"all the \1 \2 things", text)
     text = _GETS.sub(_given_to, text)
     text = _INSIDE.sub(r"open \g<box>, \g<link>\g<deed> in \g<box>", text)
+    text = _WHICH_BOTH.sub(r"\g<deed> all the \g<one> \g<other> \g<what>", text)
+    text = _MIDDLE.sub(r"the middle \g<what>", text)
     text = _BETWEEN.sub(r"\g<which> middle \g<what>", _OTHERS_STAY.sub("", text))
     if len(_COLON_LIST.findall(text)) > 1:
         text = _COLON_LIST.sub(lambda found: f"put {found['what']} in {found['where']}", text)

@@ -48,7 +48,7 @@ def _stores(thing: Thing) -> bool:
         )
     if head in ("case", "bag", "box") and not is_container(thing):
         return False
-    food = _is(thing, "food") or _is(thing, "drink") or _is(thing, "stationery")
+    food = any(_is(thing, kind) for kind in ("food", "drink", "stationery", "medicine"))
     return (head in _STORING or _is(thing, "furniture")) and not food
 
 
