@@ -70,6 +70,58 @@ def test_where_the_second_reading_fails_too_the_first_reason_is_told(task, canne
         _plan(asked, model)
 
 
+FARM = ("horse", "spade")
+
+
+def test_a_sentence_is_read_piece_by_piece_where_a_place_it_names_is_not_used(task, canned):
+    asked = _task(
+        task,
+        "animals go in the toy box, tools go in the blue crate",
+        *FARM,
+        "toy box",
+        "blue crate",
+    )
+    model = canned(
+        "    grab_and_putin(all('animals'), 'toy box')\n",
+        "    grab_and_putin(all('animals'), 'toy box')\n",
+        "    grab_and_putin(all('tools'), 'blue crate')\n",
+    )
+    program = _plan(asked, model).program
+    assert "grab_and_putin('horse', 'toy box')" in program
+    assert "grab_and_putin('spade', 'blue crate')" in program
+    assert [each.prompt.splitlines()[1] for each in model.requests] == [
+        "# animals go in the toy box, tools go in the blue crate",
+        "# animals go in the toy box",
+        "# tools go in the blue crate",
+    ]
+
+
+def test_the_first_reading_stands_where_the_pieces_do_no_better(task, canned):
+    asked = _task(
+        task,
+        "animals go in the toy box, tools go in the blue crate",
+        *FARM,
+        "toy box",
+        "blue crate",
+    )
+    program = _plan(asked, canned("    grab_and_putin(all('animals'), 'toy box')\n")).program
+    assert "spade" not in program
+    assert "grab_and_putin('horse', 'toy box')" in program
+
+
+def test_what_points_back_is_not_cut_into_pieces(task, canned):
+    asked = _task(
+        task,
+        "the horse goes in the toy box, it was in the blue crate",
+        *FARM,
+        "toy box",
+        "blue crate",
+    )
+    model = canned("    grab_and_putin('horse', 'toy box')\n")
+    _plan(asked, model)
+    assert len(model.requests) == 1
+
+
 def test_undo_does_not_ask_the_model(task, canned):
     turns = tuple(
         Turn(instruction="", program=f"def t():\n    grab_and_putin('pear', '{place}')\n")

@@ -6,11 +6,12 @@ from dataclasses import dataclass, replace
 from app.domain.action import ActionSignature
 from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import ActionCall, Argument, Comment, Statement
-from app.programs.knowledge.names import plain, words
+from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.arguments import Arguments
 from app.programs.sketches.course import Course
 from app.programs.sketches.members import Members
+from app.programs.sketches.named import goals, named
 from app.programs.sketches.order import in_order, told_apart
 from app.programs.sketches.pairs import for_each, pairs
 from app.programs.sketches.refusals import refuse_beside, refuse_harm
@@ -71,8 +72,8 @@ class Composer:
             )
         calls = [each for each in sketch.body if isinstance(each, SketchCall)]
         calls = self._piled_up([c for c in calls if not self._left_alone(c)] or calls)
-        self._name(calls)
-        self._course.goals = self._goals(calls)
+        self._course.named = named(calls, self._selection)
+        self._course.goals = goals(calls, self._signatures, self._selection.things)
         body: list[Statement] = []
         still: list[Statement] = []
         for call in dict.fromkeys(calls):
@@ -106,36 +107,6 @@ class Composer:
     def _puts(self, call: SketchCall) -> bool:
         signature = self._signatures.get(call.action)
         return signature is not None and len(signature.parameters) == 2
-
-    def _name(self, calls: Sequence[SketchCall]) -> None:
-        """Note what the sketch names, so that the rest is known."""
-        if not any(isinstance(each, Rest) for call in calls for each in call.arguments):
-            return
-        for call in calls:
-            for argument in call.arguments:
-                phrases: list[Phrase] = []
-                if isinstance(argument, Phrase):
-                    phrases = [argument, *(Phrase(text=each) for each in argument.but)]
-                elif isinstance(argument, Same | Each):
-                    phrases = [Phrase(text=argument.text, quantity="all")]
-                for phrase in (replace(each, quantity="all") for each in phrases):
-                    if self._selection.possible(phrase):
-                        found = self._selection.all(phrase).things
-                        self._course.named |= {thing.name for thing in found}
-
-    def _goals(self, calls: Sequence[SketchCall]) -> set[str]:
-        """What is called by its name as a place: a set takes in none of it."""
-        names = {plain(thing.name): thing.name for thing in self._selection.things}
-        found: set[str] = set()
-        for call in calls:
-            signature = self._signatures.get(call.action)
-            place = place_of(signature, ()) if signature else None
-            if place is None or place >= len(call.arguments):
-                continue
-            target = call.arguments[place]
-            if isinstance(target, Phrase) and (name := names.get(plain(target.text))):
-                found.add(name)
-        return found
 
     def _statements(self, call: SketchCall, still: list[Statement]) -> list[Statement]:
         signature = self._signatures.get(call.action)
