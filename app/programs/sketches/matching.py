@@ -31,7 +31,9 @@ COUNTS = 0.5
 SETS = 0.7
 """From here on it is a member of a set, whatever else fits better."""
 _SLIP = 0.78
-_SORTS = frozenset(("brick", "set", "piece", "unit", "toy"))
+_SORTS = frozenset(
+    ("brick", "set", "piece", "unit", "toy", "spool", "reel", "skein", "bobbin", "bar", "cube")
+)
 """Heads of a name that say less than what stands before them."""
 _DISTRUSTED = frozenset(
     (("scissors", "tool"), ("book", "stationery"), ("block", "toy"), ("ball", "toy"))

@@ -108,6 +108,8 @@ class Selection:
         equal = self._twins(equal, phrase, found, best)
         if len(equal) > 1 and "other" in words(self.sentence):
             equal = [t for t in equal if t.name not in self.spoken] or equal
+        if len(equal) > 1 and not UNREAL & set(words(phrase.text)):
+            equal = [t for t in equal if not UNREAL & set(t.words)] or equal
         if len(equal) > 1:
             whole = [t for t in equal if len(t.words) > 1 and plain(t.name) in plain(self.sentence)]
             equal = whole if len(whole) == 1 else equal
