@@ -21,10 +21,10 @@ MAX_DEPTH = 8
 MAX_CONDITIONS = 200
 EXAMPLE = "in(banana, bowl), not open(drawer), any_of(…, …) or count(box; cup | mug) = 2"
 
-_SPACE = re.compile(r"\s*+")
-_WORD = re.compile(r"[A-Za-z_]\w*+")
+_SPACE = re.compile(r"\s*")
+_WORD = re.compile(r"[A-Za-z_]\w*")
 _NUMBER = re.compile(r"[0-9]{1,4}(?![0-9])")
-_QUOTED = re.compile(r"'((?:[^'\\]|\\.)*+)'|\"((?:[^\"\\]|\\.)*+)\"")
+_QUOTED = re.compile(r"'([^'\\]*(?:\\.[^'\\]*)*)'|\"([^\"\\]*(?:\\.[^\"\\]*)*)\"")
 _ESCAPE = re.compile(r"\\(x[0-9a-f]{2}|u[0-9a-f]{4}|U00(?:0[0-9a-f]|10)[0-9a-f]{4}|.)")
 _NAMED_ESCAPES = {"n": "\n", "r": "\r", "t": "\t"}
 _PLAIN = re.compile(r"\w+( \w+)*")

@@ -15,14 +15,15 @@ TAB = 8
 
 Kind = Literal["name", "number", "string", "comment", "symbol"]
 
+# Strings without possessive quantifiers: Python 3.11.2, as Debian 12 has it, gets those wrong.
 _SCANNER = re.compile(
     r"""
     (?P<space>   [ \t\f]+ )
   | (?P<comment> \#[^\n]* )
-  | (?P<string>  \"\"\" (?: [^"\\] | \\[\s\S] | "(?!"") )*+ \"\"\"
-               | ''' (?: [^'\\] | \\[\s\S] | '(?!'') )*+ '''
-               | " (?: [^"\\\n] | \\[\s\S] )*+ "
-               | ' (?: [^'\\\n] | \\[\s\S] )*+ ' )
+  | (?P<string>  \"\"\" [^"\\]* (?: (?: \\[\s\S] | "(?!"") ) [^"\\]* )* \"\"\"
+               | ''' [^'\\]* (?: (?: \\[\s\S] | '(?!'') ) [^'\\]* )* '''
+               | " [^"\\\n]* (?: \\[\s\S] [^"\\\n]* )* "
+               | ' [^'\\\n]* (?: \\[\s\S] [^'\\\n]* )* ' )
   | (?P<number>  (?: [0-9]+ (?: \.[0-9]* )? | \.[0-9]+ ) (?: [eE][+-]?[0-9]+ )? (?! \w ) )
   | (?P<name>    [^\W\d]\w* )
   | (?P<newline> \n )
