@@ -9,7 +9,8 @@ from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
 from app.programs.sketches.pieces import named_places, pieces
 from app.programs.sketches.reader import Reader
 from app.programs.sketches.rereading import without_asides
-from app.programs.sketches.things import Thing, read_things
+from app.programs.sketches.retelling import places_used
+from app.programs.sketches.things import read_things
 from app.programs.sketches.wording import plain_english
 
 
@@ -38,29 +39,27 @@ class Situated:
         reader = Reader(task, model, report, likeness)
         if task.history and (said := asks_to_undo(task.instruction.text)):
             return reader.draft(reader.transcript(sentence), undo(task, said["what"]), 1.0)
-        things = read_things(task.scene.objects)
         try:
             draft = reader.read(sentence)
         except TaskDeclined as declined:
             if declined.kind != "absent":
                 raise
-            shorter = without_asides(sentence, things)
+            shorter = without_asides(sentence, read_things(task.scene.objects))
             again = _again(reader, [shorter]) if shorter else None
-            draft = again or _in_pieces(reader, sentence, things, None)
-            if draft is None:
+            again = again or _in_pieces(reader, sentence, task, None)
+            if again is None:
                 raise
-            return draft
-        return _in_pieces(reader, sentence, things, draft) or draft
+            return again
+        return _in_pieces(reader, sentence, task, draft) or draft
 
 
-def _in_pieces(
-    reader: Reader, sentence: str, things: tuple[Thing, ...], draft: Draft | None
-) -> Draft | None:
+def _in_pieces(reader: Reader, sentence: str, task: Task, draft: Draft | None) -> Draft | None:
     """Another draft that uses every place the sentence names, where this one does not."""
-    parts = pieces(sentence, things, _places(draft))
+    things = read_things(task.scene.objects)
+    parts = pieces(sentence, things, _places(draft, task))
     again = _again(reader, parts) if parts else None
     named = {each.name for each in named_places(sentence, things)}
-    return again if again and named <= _places(again) else None
+    return again if again and named <= _places(again, task) else None
 
 
 def _again(reader: Reader, parts: list[str]) -> Draft | None:
@@ -70,7 +69,7 @@ def _again(reader: Reader, parts: list[str]) -> Draft | None:
         return None
 
 
-def _places(draft: Draft | None) -> set[str]:
+def _places(draft: Draft | None, task: Task) -> set[str]:
     """Where the program puts things."""
     calls = calls_of(draft.program) if draft else ()
-    return {str(call.arguments[-1]) for call in calls if len(call.arguments) > 1}
+    return places_used(calls, {action.name: action for action in task.actions})

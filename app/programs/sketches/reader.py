@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from app.domain.action import ActionSignature
 from app.domain.errors import ProgramRefused, TaskDeclined
-from app.domain.llm import Completion, LanguageModel
+from app.domain.llm import LanguageModel
 from app.domain.planner import Draft, Report, Task
 from app.domain.program import Program, Statement
 from app.programs.printer import print_program
@@ -47,7 +47,7 @@ class Reader:
             Cancelled: ``report`` asked for it.
         """
         transcript = self.transcript(*parts)
-        sketch = "".join(f"{self._sketched(transcript, part).text.rstrip()}\n" for part in parts)
+        sketch = "".join(f"{self._sketched(transcript, part).rstrip()}\n" for part in parts)
         transcript.wrote(f"{sketch}\n")
         try:
             body, sureness = resolve(
@@ -74,20 +74,20 @@ class Reader:
     def _prompt(self, part: str) -> str:
         return write_sketch_prompt(part, self._task.actions, self._task.history)
 
-    def _sketched(self, transcript: Transcript, part: str) -> Completion:
+    def _sketched(self, transcript: Transcript, part: str) -> str:
         """The model's sketch; a verb that is said and that the sketch lacks is asked for again."""
         verbs = spoken_verbs(self._task.actions, part)
         grammar = sketch_grammar(verbs, part, self._earlier())
         request = sketch_request(self._task.options, self._model, self._prompt(part), STOP, grammar)
-        completion = transcript.ask(request)
-        if request.grammar is None or not (lacking := _unsaid(completion.text, verbs, part)):
-            return completion
-        called = [verb for verb in verbs if f"{verb.name}(" in completion.text]
+        text = transcript.ask(request).text
+        if request.grammar is None or not (lacking := _unsaid(text, verbs, part)):
+            return text
+        called = [verb for verb in verbs if f"{verb.name}(" in text]
         wanted = [verb for verb in verbs if verb in called or verb.name in lacking]
         if not 2 <= len(wanted) <= MOST_ORDERED:
-            return completion
+            return text
         grammar = sketch_grammar(wanted, part, self._earlier(), each=True)
-        return transcript.ask(replace(request, grammar=grammar))
+        return transcript.ask(replace(request, grammar=grammar)).text
 
     def _earlier(self) -> tuple[str, ...]:
         """Names that earlier turns used."""

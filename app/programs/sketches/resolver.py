@@ -6,8 +6,9 @@ from app.domain.program import ActionCall, Comment, Statement
 from app.programs.sketches.composer import Composer, Composition
 from app.programs.sketches.dialogue import moved_before
 from app.programs.sketches.lists import listed_pairs
+from app.programs.sketches.retelling import places_used, retold
 from app.programs.sketches.selection import Judge, Selection
-from app.programs.sketches.sketch import Phrase, Sketch, SketchCall
+from app.programs.sketches.sketch import Sketch, SketchCall
 from app.programs.sketches.things import read_things
 
 FAILED_LAST = 1
@@ -44,32 +45,25 @@ def resolve(
 
 def _composed(sketch: Sketch, task: Task, selection: Selection) -> Composition:
     """What the sketch means; where it leaves out a container of a plain list, what the list says."""
+
+    def compose(each: Sketch) -> Composition:
+        return Composer(selection, task.actions, going_on=task.failed is not None).compose(each)
+
+    calls = [each for each in sketch.body if isinstance(each, SketchCall)]
     pairs = listed_pairs(selection.sentence, selection.things)
-    composer = Composer(selection, task.actions, going_on=task.failed is not None)
-    if pairs is None:
-        return composer.compose(sketch)
+    if pairs is None or len(calls) < len(sketch.body):
+        return compose(sketch)
+    signatures = {action.name: action for action in task.actions}
+    told = Sketch(tuple(retold(calls, pairs, signatures)))
     try:
-        composed = composer.compose(sketch)
+        composed = compose(sketch)
     except TaskDeclined as declined:
-        if declined.kind == "hazardous":
+        if declined.kind == "hazardous" or told == sketch:
             raise
-        composed = None
-    if composed is not None and _used(composed) >= {place for _, place in pairs}:
-        return composed
-    puts = [
-        each for each in sketch.body if isinstance(each, SketchCall) and len(each.arguments) == 2
-    ]
-    if not puts:
-        return composer.compose(sketch)
-    named = (tuple(Phrase(text=name) for name in pair) for pair in pairs)
-    told = Sketch(tuple(SketchCall(puts[0].action, each) for each in named))
-    return Composer(selection, task.actions, going_on=task.failed is not None).compose(told)
-
-
-def _used(composed: Composition) -> set[str]:
-    """Where the program puts things."""
-    calls = (each for each in composed.body if isinstance(each, ActionCall))
-    return {str(call.arguments[-1]) for call in calls if call.arguments}
+        return compose(told)
+    made = [each for each in composed.body if isinstance(each, ActionCall)]
+    complete = {place for _, place in pairs} <= places_used(made, signatures)
+    return composed if complete else compose(told)
 
 
 def _left(body: tuple[Statement, ...], selection: Selection) -> tuple[Statement, ...]:

@@ -9,7 +9,7 @@ import numpy as np
 from app.domain.errors import ActionFailure
 from app.domain.world import Stage
 from app.worlds.actions.manoeuvre import FREE_SPEED, LIFT_SPEED
-from app.worlds.actions.taking import ATTEMPTS, Taking
+from app.worlds.actions.taking import Taking
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.picking import Pick
 from app.worlds.simulators.mujoco.workcell import Workcell
@@ -65,17 +65,7 @@ class Borrowing(Taking, ABC, Generic[Way]):
         if self._held():
             yield from self._use_what_is_held()
             return
-        yield from self.come_home()
-        for self._attempt in range(1, ATTEMPTS + 1):
-            moved = len(self._banned)
-            try:
-                yield from self._try()
-            except ActionFailure:
-                yield from self.come_home()
-                if self._attempt == ATTEMPTS or self._fruitless(moved):
-                    raise
-            else:
-                return
+        yield from self._in_attempts(self._try)
 
     def _use_what_is_held(self) -> Iterator[Stage]:
         yield self._stage("look")

@@ -14,7 +14,7 @@ from app.worlds.actions.manoeuvre import (
     PAUSE,
     RELEASE_SECONDS,
 )
-from app.worlds.actions.taking import ATTEMPTS, Taking
+from app.worlds.actions.taking import Taking
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.destination import Destination
 from app.worlds.simulators.mujoco.picking import Pick
@@ -64,19 +64,8 @@ class PickAndPlace(Taking):
         """
         if self._held() and (yield from self._put_what_is_held()):
             return
-        yield from self.come_home()
-        for self._attempt in range(1, ATTEMPTS + 1):
-            moved = len(self._banned)
-            try:
-                yield from self._try()
-            except ActionFailure:
-                yield from self.come_home()
-                if self._aim.reached():  # lost over the container
-                    return
-                if self._attempt == ATTEMPTS or self._fruitless(moved):
-                    raise
-            else:
-                return
+        # What is lost over the container is where it should be.
+        yield from self._in_attempts(self._try, self._aim.reached)
 
     def _put_what_is_held(self) -> Generator[Stage, None, bool]:
         """Put it down; gives whether that was it."""

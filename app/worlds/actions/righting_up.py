@@ -14,7 +14,7 @@ from app.worlds.actions.manoeuvre import (
     RELEASE_SECONDS,
     Array,
 )
-from app.worlds.actions.taking import ATTEMPTS, Taking
+from app.worlds.actions.taking import Taking
 from app.worlds.simulators.mujoco.cloud import Cloud
 from app.worlds.simulators.mujoco.picking import Pick
 from app.worlds.simulators.mujoco.righting import RELEASE, Righting, up_axis
@@ -37,19 +37,7 @@ class RightingUp(Taking):
         Raises:
             ActionFailure: it did not succeed; the gripper is open and the arm at home.
         """
-        yield from self.come_home()
-        for self._attempt in range(1, ATTEMPTS + 1):
-            moved = len(self._banned)
-            try:
-                yield from self._try()
-            except ActionFailure:
-                yield from self.come_home()
-                if self._stands():
-                    return
-                if self._attempt == ATTEMPTS or self._fruitless(moved):
-                    raise
-            else:
-                return
+        yield from self._in_attempts(self._try, self._stands)
 
     def _try(self) -> Iterator[Stage]:
         yield self._stage("look")

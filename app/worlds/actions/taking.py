@@ -1,6 +1,6 @@
 """Taking: an object into the gripper, from wherever it lies."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -41,17 +41,32 @@ class Taking(Manoeuvre):
         Raises:
             ActionFailure: it did not succeed; the gripper is open and the arm at home.
         """
+        yield from self._in_attempts(self._take_and_come_home)
+
+    def _take_and_come_home(self) -> Iterator[Stage]:
+        yield self._stage("look")
+        cloud = self._look_at(self._item)[self._item]
+        here = np.append((cloud.lowest + cloud.highest)[:2] / 2, cloud.lowest[2])
+        yield from self._take(self._plan(cloud, here))
+        yield from self._go_home_loaded(self._item)
+
+    def _in_attempts(
+        self, attempt: Callable[[], Iterator[Stage]], reached: Callable[[], bool] = lambda: False
+    ) -> Iterator[Stage]:
+        """From home, up to ``ATTEMPTS`` times until it goes well, or is ``reached`` all the same.
+
+        Raises:
+            ActionFailure: it did not, or nothing is left to try; the arm is at home.
+        """
         yield from self.come_home()
         for self._attempt in range(1, ATTEMPTS + 1):
             moved = len(self._banned)
             try:
-                yield self._stage("look")
-                cloud = self._look_at(self._item)[self._item]
-                here = np.append((cloud.lowest + cloud.highest)[:2] / 2, cloud.lowest[2])
-                yield from self._take(self._plan(cloud, here))
-                yield from self._go_home_loaded(self._item)
+                yield from attempt()
             except ActionFailure:
                 yield from self.come_home()
+                if reached():
+                    return
                 if self._attempt == ATTEMPTS or self._fruitless(moved):
                     raise
             else:
