@@ -1,4 +1,4 @@
-"""Whole sentences with their sketches, read from ``static/training/sentences.txt``.
+"""Whole sentences with their sketches, read from ``static/training/sentences``.
 
 They say what no template reaches: asides, corrections, fragments, things told by what they are for.
 A line reads ``sentence => PUT('x', 'y'); STACK('z', 'x')``; ``#`` begins a remark. Beside these two
@@ -14,7 +14,6 @@ from app.domain.program import literal
 from app.training.steps import Step
 from app.training.words import FOLDER, plural
 
-FILE = FOLDER / "sentences.txt"
 _PHRASE = re.compile(r"(?:where=|order=|same\()'[^']+'|'((?:[^'\\]|\\.)+)'")
 """Words for things, but neither a superlative nor what things share."""
 _CALL = re.compile(r"(PUT|STACK|OPEN|CLOSE|POUR)\((.*)\)")
@@ -68,9 +67,10 @@ def _stands(phrase: str, text: str) -> bool:
 
 @cache
 def sentences() -> tuple[Sentence, ...]:
-    """All of them, in the file's order."""
-    lines = FILE.read_text(encoding="utf-8").splitlines()
-    return tuple(map(_sentence, (line for line in lines if line and not line.startswith("#"))))
+    """All of them, file by file."""
+    files = sorted((FOLDER / "sentences").glob("*.txt"))
+    lines = (line for file in files for line in file.read_text(encoding="utf-8").splitlines())
+    return tuple(_sentence(line) for line in lines if line and not line.startswith("#"))
 
 
 def _sentence(line: str) -> Sentence:
