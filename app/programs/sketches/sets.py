@@ -88,7 +88,7 @@ def halved(phrase: Phrase, sentence: str, found: int) -> Phrase:
 
 def left_over(phrase: Phrase, sentence: str, found: int) -> Phrase:
     """With all but so many as its number: "leave one egg and put the others in the basket"."""
-    match = _LEFT.search(sentence) or _ALL_BUT.search(sentence)
+    match = _how_many_stay(sentence)
     if not match or not words(phrase.text):
         return phrase
     left = _NUMBERS[match["number"].lower()]
@@ -99,14 +99,24 @@ def left_over(phrase: Phrase, sentence: str, found: int) -> Phrase:
 
 def but_some(phrase: Phrase, sentence: str) -> Phrase:
     """Without what is left out where that is so many of its own kind: "leave me one spoon"."""
-    match = _LEFT.search(sentence) or _ALL_BUT.search(sentence)
+    match = _how_many_stay(sentence)
     found = words(phrase.text)
     if not match or not found:
         return phrase
     own = normal(found[-1])
     same = own in {normal(each) for each in words(match["noun"])}
-    kept = tuple(each for each in phrase.but if own not in {normal(w) for w in words(each)})
+    kept = tuple(
+        each
+        for each in phrase.but
+        if own not in {normal(w) for w in words(each)} and each not in _NUMBERS
+    )
     return replace(phrase, but=kept) if same else phrase
+
+
+def _how_many_stay(sentence: str) -> re.Match[str] | None:
+    """Where the sentence tells the ``number`` of a ``noun`` that is left."""
+    patterns = (_LEFT, _ALL_BUT, _ALL_OF_THEM_BUT)
+    return next((found for each in patterns if (found := each.search(sentence))), None)
 
 
 def stays(text: str, sentence: str) -> bool:
@@ -151,6 +161,12 @@ _LEFT = re.compile(
 _ALL_BUT = re.compile(
     rf"\b(?:all|every one) (?:but|except|bar) (?P<number>{'|'.join(_NUMBERS)})\s+"
     r"of (?:the|these|those|my|your|our)\s+(?P<noun>\w+(?: \w+)?)\b",
+    re.I,
+)
+_ALL_OF_THEM_BUT = re.compile(
+    r"\b(?:all|all of|every one of) (?:the|these|those|my|your|our)\s+(?P<noun>\w+(?: \w+)?),? "
+    rf"(?:but|except|bar|save) (?P<number>{'|'.join(_NUMBERS)})"
+    r"(?=\s*(?:[.,;:!?)]|$)|\s+(?:on|onto|in|into|to|from|go|goes|should|can|belongs?)\b)",
     re.I,
 )
 _STAYING = (
