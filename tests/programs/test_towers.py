@@ -37,6 +37,14 @@ def test_a_tower_may_stand_on_something():
     assert pairs == [("red cube", "tray"), ("green cube", "red cube"), ("blue cube", "green cube")]
 
 
+def test_what_is_only_said_to_be_no_part_is_left_out():
+    pairs = told(
+        "a pile, from top to bottom: blue cube, green cube, red cube. The box isn't part of it.",
+        *CUBES,
+    )
+    assert pairs == [("green cube", "red cube"), ("blue cube", "green cube")]
+
+
 @pytest.mark.parametrize(
     "sentence",
     [

@@ -43,6 +43,13 @@ _HIGHEST = re.compile(
 )
 
 
+_NOT_OF_IT = re.compile(
+    r"(?: (?:block|one|book|box))?,? (?:is|does|should|must|will|need|can)(?:n't|not| not)\b",
+    re.I,
+)
+"""After a thing that the sentence only says is no part of the tower."""
+
+
 @dataclass(frozen=True, slots=True)
 class Mention:
     """Where a sentence names a thing."""
@@ -54,7 +61,8 @@ class Mention:
 
 def tower(sentence: str, things: Sequence[Thing]) -> list[Pair] | None:
     """What is put on what, the lowest first; None where no tower is told, or not plainly."""
-    found = mentions(sentence, things)
+    text = " ".join(sentence.lower().split())
+    found = [m for m in mentions(sentence, things) if not _NOT_OF_IT.match(text[m.end :])]
     told = _by_relation(sentence, found)
     return told or (_by_place(sentence, found) if _PILING.search(sentence) else None)
 
