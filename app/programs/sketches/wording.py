@@ -24,10 +24,6 @@ FILE = Path(__file__).parents[3] / "static" / "knowledge" / "grammar.json"
 ALIKE = 0.8
 HASTY = 2
 """From so many slips on, a word that exists may be one as well."""
-_SLANG = frozenset(("n", "pls", "plz", "thx"))
-"""Short on purpose, which tells nothing of slips."""
-HASTILY = 0.75
-"""How alike a short word must be where there are so many."""
 SURELY = 0.85
 """The same for words that the scene does not have."""
 _TOKEN = re.compile(r"[^\W\d_]+(?:[\u2019'][^\W\d_]+)*|[^\w\s]|\S+|\s+")
@@ -120,38 +116,25 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
     singulars = scene | {f"{word}s" for word in scene}
     sentence = _paired(_joined(sentence, names), names)
     strange = (each for each in words(sentence) if each.isalpha() and each not in singulars)
-    hasty = sum(
-        (each in slips and each not in _SLANG)
-        or (len(each) > 3 and each not in _ENGLISH and misspelt(each))
-        for each in strange
-    )
+    hasty = sum(len(each) > 3 and each not in _ENGLISH and misspelt(each) for each in strange)
 
     def mend(match: re.Match[str]) -> str:
         word = plain(match[0])
         if word in slips and word not in singulars:
             return slips[word]
-        # Who misspells so much may hit another word: "bowel" for the bowl, "cpu" for the cup.
-        known = len(word) < 3 or word in singulars or word in _ENGLISH
-        if hasty >= HASTY and not known and (near := _meant(word, scene)):
-            return near
+        if hasty >= HASTY and len(word) > 4 and word not in singulars | _ENGLISH:
+            # Who misspells so much may hit another word: "bowel" for the bowl.
+            near = difflib.get_close_matches(word, sorted(scene), 1, SURELY)
+            if near and near[0][0] == word[0]:
+                return near[0]
         if len(word) < 4 or word in singulars or word in _ENGLISH or not misspelt(word):
             return match[0]
         kinds = (
-            difflib.get_close_matches(word, sorted(_kinds()), 1, SURELY)
-            if len(word) > 4 - (hasty >= HASTY)
-            else []
+            difflib.get_close_matches(word, sorted(_kinds()), 1, SURELY) if len(word) > 4 else []
         )
         return _nearest(word, singulars) or next(iter(kinds), match[0])
 
     return " ".join(re.sub(r"[^\W\d_]+", mend, sentence).split())
-
-
-def _meant(word: str, scene: Collection[str]) -> str | None:
-    """The scene's word that begins alike and has nearly the same letters, or the same ones."""
-    alike = sorted(each for each in scene if each[0] == word[0])
-    swapped = (each for each in alike if sorted(each) == sorted(word))
-    close = difflib.get_close_matches(word, alike, 1, ALIKE if len(word) > 4 else HASTILY)
-    return next(iter(close), None) or next(swapped, None)
 
 
 def _joined(sentence: str, names: Sequence[str]) -> str:

@@ -41,8 +41,6 @@ def test_a_word_that_exists_is_mended_in_a_sentence_full_of_slips_alone():
     names = ["strawberry", "bowl", "plate"]
     assert "in the bowl" in plain_english("strawbery in the bowel, rest on the plaet", names)
     assert "bowel" in plain_english("put the strawberry in the bowel", names)
-    assert "in the cup" in plain_english("toothbursh in teh cpu", ["toothbrush", "cup"])
-    assert "the cpu" in plain_english("put the toothbrush in the cpu", ["toothbrush", "cup"])
 
 
 @pytest.mark.parametrize(
