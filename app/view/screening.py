@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import time
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 
 from app.view.film import Film
@@ -25,7 +26,7 @@ class Moment:
     finished: bool
     """Whether no more will be known."""
     drawn: bool
-    """Whether a browser has the scene."""
+    """Whether a browser has the scene, and is sent its changes."""
 
     def as_dict(self) -> dict[str, float | str | bool]:
         """The same, ready for JSON."""
@@ -38,10 +39,19 @@ class Screening:
     def __init__(self, film: Film) -> None:
         self.film = film
         self.footage = film.footage
-        self.drawn = False
+        self._views = 0
         self._playhead = Playhead()
         self._ticked_at = time.monotonic()
         self._moved = asyncio.Event()
+
+    @contextlib.contextmanager
+    def drawing(self) -> Iterator[None]:
+        """While a 3D view has the scene."""
+        self._views += 1
+        try:
+            yield
+        finally:
+            self._views -= 1
 
     async def tick(self) -> float:
         """Let the time since the last tick pass; the moment of the picture to show now [s]."""
@@ -69,7 +79,7 @@ class Screening:
             mode=self._playhead.mode,
             speed=self._playhead.speed,
             finished=self.footage.finished,
-            drawn=self.drawn,
+            drawn=self._views > 0,
         )
 
     def turn(self, mode: Mode) -> None:

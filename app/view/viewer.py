@@ -3,7 +3,7 @@
 import contextlib
 import threading
 import time
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncGenerator, Callable, Iterator
 
 import viser
 
@@ -72,17 +72,17 @@ class Viewer:
         return Screening(film)
 
 
-async def projection(screening: Screening) -> AsyncIterator[bytes]:
+async def projection(screening: Screening) -> AsyncGenerator[bytes, None]:
     """What to send to a browser, each when it is due; without an end."""
     yield screening.film.opening
-    screening.drawn = True
-    shown, due = BEGINNING, time.monotonic()
-    while True:
-        moment = await screening.tick()
-        if moment != shown:
-            if picture := screening.film.picture(shown, moment):
-                yield picture
-            shown = moment
-        # Paced by the clock: what a picture took to make is not added to its time.
-        due = max(due + PICTURE, time.monotonic())
-        await screening.rest(playing=due - time.monotonic(), still=STILL)
+    with screening.drawing():
+        shown, due = BEGINNING, time.monotonic()
+        while True:
+            moment = await screening.tick()
+            if moment != shown:
+                if picture := screening.film.picture(shown, moment):
+                    yield picture
+                shown = moment
+            # Paced by the clock: what a picture took to make is not added to its time.
+            due = max(due + PICTURE, time.monotonic())
+            await screening.rest(playing=due - time.monotonic(), still=STILL)

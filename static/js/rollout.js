@@ -4,6 +4,7 @@ import { byId, h } from "./dom.js";
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const NOT_THERE = 4404;
+const PATIENCE = 10000; // [ms] until a 3D view that does not come is loaded again, at first
 
 export class RolloutView {
   /** `moved(time)` is told the moment shown [s], many times a second; `alone` is a page of its own. */
@@ -42,6 +43,7 @@ export class RolloutView {
     this.frame = h("iframe", { src: `/viewer/${execution}/${this.token}/${dark}`, title: "The rollout in 3D", class: "picture" });
     this.waiting = h("p", { class: "waiting", role: "status" }, "Setting up the 3D view …");
     this.root.replaceChildren(h("div", { class: "stage" }, this.frame, this.waiting), this.controls(execution));
+    this.patience = PATIENCE;
     this.connect();
   }
 
@@ -60,6 +62,7 @@ export class RolloutView {
   }
 
   connect() {
+    this.since = performance.now();
     const scheme = location.protocol === "https:" ? "wss" : "ws";
     const socket = new WebSocket(`${scheme}://${location.host}/viewer/${this.execution}/${this.token}/playhead`);
     this.socket = socket;
@@ -86,9 +89,26 @@ export class RolloutView {
       if (!this.execution) return;
       if (!back) return this.lose();
       this.waiting.textContent = "Setting up the 3D view …";
-      this.frame.src = this.frame.getAttribute("src");
+      this.loadAgain();
       this.connect();
     }, 1500);
+  }
+
+  loadAgain() {
+    this.frame.src = this.frame.getAttribute("src");
+  }
+
+  /** A frame whose page failed to load stays empty, and no event tells of it. */
+  awaitDrawing(drawn) {
+    const now = performance.now();
+    if (drawn) {
+      this.since = now;
+      this.patience = PATIENCE;
+    } else if (now - this.since > this.patience) {
+      this.since = now;
+      this.patience *= 2;
+      this.loadAgain();
+    }
   }
 
   send(command) {
@@ -118,6 +138,7 @@ export class RolloutView {
   draw() {
     const { duration, mode, finished, drawn } = this.moment;
     const time = this.now();
+    this.awaitDrawing(drawn);
     this.waiting.hidden = drawn;
     this.slider.disabled = !drawn || duration === 0;
     this.slider.max = Math.max(duration, 0.1);

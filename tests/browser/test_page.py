@@ -115,6 +115,16 @@ def test_plan_is_there_after_a_restart_and_can_be_scrubbed(open_page, finished, 
     seek(page, 1.0)
 
 
+def test_picture_that_fails_to_load_is_loaded_again(open_page, finished):
+    page = open_page()
+    page.route("**/viewer/*/*/", lambda route: route.abort(), times=1)
+    page.goto(page.url + f"#/plans/{finished}")
+    expect(status(page)).to_have_text("Succeeded")
+    expect(slider(page)).to_be_disabled()
+    expect(slider(page)).to_be_enabled()
+    seek(page, 1.0)
+
+
 def test_the_other_robot_can_be_chosen_and_does_the_same(open_page):
     page = open_page()
     page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")

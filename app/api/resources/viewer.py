@@ -140,8 +140,9 @@ async def _both(*ways: Coroutine[None, None, None]) -> None:
 
 
 async def _show(screening: Screening, socket: WebSocket) -> None:
-    async for message in projection(screening):
-        await socket.send_bytes(message)
+    async with contextlib.aclosing(projection(screening)) as messages:
+        async for message in messages:
+            await socket.send_bytes(message)
 
 
 async def _from_browser(socket: WebSocket) -> None:
