@@ -34,20 +34,18 @@ class DepthImage:
     """Of the columns (width,) and of the rows (height,)."""
 
     def with_noise(self, deviation: float, rng: np.random.Generator) -> "DepthImage":
-        """As a real camera measures it: noise everywhere, and nothing at many of the edges.
+        """As a real camera measures it: noise on all objects, and nothing at many of their edges.
 
         Args:
             deviation: standard deviation of the distance along a pixel's ray [m].
             rng: where the noise comes from.
         """
         labels, depths = self.labels.copy(), self.depths.copy()
-        rows, columns = np.nonzero(labels != _NOTHING)
+        rows, columns = np.nonzero(labels >= 0)
         a, b = self.tangents
         stretch = np.sqrt(1 + a[columns] ** 2 + b[rows] ** 2)
         depths[rows, columns] += rng.normal(0.0, deviation, len(rows)) / stretch
-        dropped = _edges(self.labels, self.depths)[rows, columns] & (
-            rng.random(len(rows)) < DROPOUT
-        )
+        dropped = self._edges(rows, columns) & (rng.random(len(rows)) < DROPOUT)
         labels[rows[dropped], columns[dropped]] = _NOTHING
         return DepthImage(labels, depths, self.tangents)
 
@@ -72,46 +70,69 @@ class DepthImage:
         at = (rows + radius) * padded[1] + columns + radius
         offsets = np.arange(-radius, radius + 1)
         down, across = (grid.ravel() for grid in np.meshgrid(offsets, offsets, indexing="ij"))
-        around = at[:, None] + down * padded[1] + across  # (n, k)
+        around = at[:, None] + (down * padded[1] + across)  # (n, k)
         labels, inverse = labels.ravel(), inverse.ravel()
         centre = inverse[at]
-        same = labels[around] == labels[at][:, None]
-        same &= np.abs(inverse[around] - centre[:, None]) < JUMP * centre[:, None] ** 2
-        enough = same.sum(axis=1) >= FEWEST
-        around, same, at = around[enough], same[enough], at[enough]
+        # Off the pixel's own, so that little numbers are fitted.
+        off = inverse[around]
+        off -= centre[:, None]
+        same = np.abs(off) < (JUMP * centre**2)[:, None]
+        same &= labels[around] == labels[at][:, None]
         a, b = self.tangents
-        fitted = _planes(inverse[around], same, down * (b[1] - b[0]), across * (a[1] - a[0]))
+        count, fitted = _planes(off, same, down * (b[1] - b[0]), across * (a[1] - a[0]))
+        enough = count >= FEWEST
         a, b = a[columns[enough]], b[rows[enough]]
-        q, slope_b, slope_a = fitted.T
+        q, slope_b, slope_a = fitted[:, enough]
+        q += centre[enough]
         depth = 1.0 / q
         points = np.stack([a * depth, b * depth, depth], axis=1)
         normals = -np.stack([slope_a, slope_b, q - slope_a * a - slope_b * b], axis=1)
-        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-        return labels[at], points, normals
+        normals /= np.sqrt((normals**2).sum(axis=1, keepdims=True))
+        return labels[at[enough]], points, normals
+
+    def _edges(self, rows: Ints, columns: Ints) -> NDArray[np.bool_]:
+        """Which of the pixels (n,) have something else beside them, or the same much deeper."""
+        height, width = self.labels.shape
+        labels, depths, at = self.labels.ravel(), self.depths.ravel(), rows * width + columns
+        own_labels, own_depths = labels[at], depths[at]
+        edges = np.zeros(len(at), bool)
+        # At the image's border a pixel is compared with itself.
+        for beside in (
+            at - (columns > 0),
+            at + (columns < width - 1),
+            at - width * (rows > 0),
+            at + width * (rows < height - 1),
+        ):
+            edges |= labels[beside] != own_labels
+            edges |= np.abs(depths[beside] - own_depths) > 2 * JUMP
+        return edges
 
 
 _NOTHING = -1
 
 
-def _edges(labels: NDArray[np.int32], depths: Array) -> NDArray[np.bool_]:
-    """Where the neighbour to one side shows something else, or the same much deeper."""
-    edges = np.zeros(labels.shape, bool)
-    for axis in (0, 1):
-        ahead = np.moveaxis(edges, axis, 0)
-        along, deep = np.moveaxis(labels, axis, 0), np.moveaxis(depths, axis, 0)
-        differs = (along[1:] != along[:-1]) | (np.abs(deep[1:] - deep[:-1]) > 2 * JUMP)
-        ahead[1:] |= differs
-        ahead[:-1] |= differs
-    return edges
+def _planes(
+    values: Array, same: NDArray[np.bool_], down: Array, across: Array
+) -> tuple[Array, Array]:
+    """Least squares of values (n, k) over offsets (k,), where ``same``.
 
-
-def _planes(inverse: Array, same: NDArray[np.bool_], down: Array, across: Array) -> Array:
-    """Least squares of inverse depths (n, k) over offsets (k,), where ``same``: shape (n, 3)."""
-    weights = same.astype(float)
+    Returns:
+        How many went into each, shape (n,), and constant, slope down and slope across, (3, n).
+    """
+    reach = np.abs(down).max(), np.abs(across).max()
+    down, across = down / reach[0], across / reach[1]
     basis = np.stack([np.ones_like(down), down, across])  # (3, k)
-    scale = np.array([1.0, np.abs(down).max(), np.abs(across).max()])
-    basis = basis / scale[:, None]
-    products = (basis[:, None] * basis[None]).reshape(9, -1)  # (9, k)
-    normal = (weights @ products.T).reshape(-1, 3, 3) + _STEADY * np.eye(3)
-    right = (weights * inverse) @ basis.T  # (n, 3)
-    return np.linalg.solve(normal, right[..., None])[..., 0] / scale
+    products = np.concatenate([basis, [down * down, down * across, across * across]])  # (6, k)
+    weights = same.astype(float)
+    n, d, c, dd, dc, cc = products @ weights.T
+    weights *= values
+    first, second, third = basis @ weights.T
+    # The normal equations, eliminated row by row: many small systems at once.
+    dd = dd - d * d / n + _STEADY
+    dc = dc - d * c / n
+    second -= first * d / n
+    third -= first * c / n + second * dc / dd
+    across_slope = third / (cc - c * c / n - dc * dc / dd + _STEADY)
+    down_slope = (second - dc * across_slope) / dd
+    constant = (first - d * down_slope - c * across_slope) / n
+    return n, np.stack([constant, down_slope / reach[0], across_slope / reach[1]])
