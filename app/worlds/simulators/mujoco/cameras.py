@@ -1,9 +1,8 @@
 """Depth cameras made of rays: labelled point clouds of the objects, without a display."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache
 
 import mujoco
 import numpy as np
@@ -17,20 +16,17 @@ from app.worlds.simulators.mujoco.depth import DepthImage
 from app.worlds.simulators.mujoco.detector import Confused, Detector, Segmentation
 from app.worlds.simulators.mujoco.physics import Physics
 from app.worlds.simulators.mujoco.raycast import cast
+from app.worlds.simulators.mujoco.silhouettes import Silhouettes, pixels_of
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 GROUPS = np.array([1, 0, 0, 1, 0, 0], np.uint8)
 """The geometry groups that are seen: plain geoms and collision geoms, not the visual copies."""
-SPACE = ((0.05, -0.72, -0.01), (0.82, 0.72, 0.35))
-"""Two corners of the box where objects are looked for [m]."""
 OVERVIEW = (160, 120)
-CLOSE_UP = (96, 96)
+CLOSE_UP = (80, 80)
 """Width and height of the images in pixels."""
 GLIMPSE = (20, 20)
-STRIDE = 2
-"""Of an overview, first every so many pixels are cast; then all those next to an object."""
 MARGIN = 0.02
 """How far around an object a close-up reaches, since the overview sees it coarsely [m]."""
 FEWEST = 3
@@ -82,6 +78,8 @@ class Cameras:
         perception = perception or Perception(source="privileged")
         self._noise = perception.noise if perception.source == "cameras" else 0.0
         self._detector = self._detecting(detector, perception.confusion)
+        parts = [part for body in physics.bodies.values() for part in body.parts]
+        self._silhouettes = Silhouettes(physics.model, parts, GROUPS)
         self._seen: dict[str, Cloud] = {}
         self._earlier: dict[str, Cloud] = {}
         """Where each object was last seen during the action under way."""
@@ -121,42 +119,41 @@ class Cameras:
                 return
 
     def overview(self) -> dict[str, Cloud]:
-        """A coarse cloud of every object that is seen; what is not over the table is looked for."""
-        seen = self._overview(over_table=True)
-        return seen if len(seen) == len(self._names) else self._overview(over_table=False)
-
-    def _overview(self, *, over_table: bool) -> dict[str, Cloud]:
-        data = self._physics.stand()
-        images: list[tuple[Camera, _Hits]] = []
-        for camera in CAMERAS:
-            coarse = _coarse(camera, over_table=over_table)
-            first = self._cast(data, camera, coarse)
-            near = np.asarray(ndimage.maximum_filter(first.labels >= 0, 2 * STRIDE + 1), bool)
-            images.append((camera, self._cast(data, camera, near & ~coarse, first)))
-        return self._clouds(images)
+        """A coarse cloud of every object that is seen."""
+        return self._shown(CAMERAS, OVERVIEW)
 
     def close_up(self, cloud: Cloud) -> dict[str, Cloud]:
         """Fine clouds of what is at the place of ``cloud``, from every camera."""
-        data = self._physics.stand()
         centre, radius = _ball(cloud)
         lifted = cloud.lowest[2] > LIFTED
-        images: list[tuple[Camera, _Hits]] = []
-        for camera in (*CAMERAS, *LOW_CAMERAS) if lifted else CAMERAS:
-            zoomed = camera.zoomed(centre, radius)
-            mask = _around(zoomed, cloud.points, radius)
-            images.append((zoomed, self._cast(data, zoomed, mask)))
-        return self._clouds(images)
+        cameras = (*CAMERAS, *LOW_CAMERAS) if lifted else CAMERAS
+        zoomed = [camera.zoomed(centre, radius) for camera in cameras]
+        return self._shown(zoomed, CLOSE_UP, lambda view: _around(view, cloud.points, radius))
 
     def glimpse(self, centre: Array, radius: float) -> dict[str, Cloud]:
         """What there is in a ball, shape (3,) [m], at little cost: few pixels, too few for shapes."""
         return self._everything(centre, radius, GLIMPSE)
 
     def _everything(self, centre: Array, radius: float, size: tuple[int, int]) -> dict[str, Cloud]:
-        """What all pixels of images of a ball show, each of so many columns and rows."""
+        """What images of a ball show, each of so many columns and rows."""
+        return self._shown([camera.zoomed(centre, radius) for camera in CAMERAS], size)
+
+    def _shown(
+        self,
+        cameras: Iterable[Camera],
+        size: tuple[int, int],
+        within: Callable[[Camera], Mask] | None = None,
+    ) -> dict[str, Cloud]:
+        """What these cameras' images show, or only the part of each ``within`` a mask."""
         data = self._physics.stand()
-        everywhere = np.ones(size[::-1], bool)
-        views = [camera.zoomed(centre, radius) for camera in CAMERAS]
-        return self._clouds([(view, self._cast(data, view, everywhere)) for view in views])
+        corners = self._silhouettes.corners(data)
+        images = list[tuple[Camera, _Hits]]()
+        for camera in cameras:
+            mask = pixels_of(corners, camera, size)
+            if within is not None:
+                mask &= within(camera)
+            images.append((camera, self._cast(data, camera, mask)))
+        return self._clouds(images)
 
     def current(self) -> dict[str, Cloud]:
         """What the last look showed, if nothing has moved since; else another look."""
@@ -177,24 +174,22 @@ class Cameras:
             return telling
         return Confused(telling, len(objects), confusion, self._seed)
 
-    def _cast(
-        self, data: mujoco.MjData, camera: Camera, mask: Mask, before: _Hits | None = None
-    ) -> _Hits:
-        """Cast the pixels of a mask, shape (height, width), into an image or into a new one."""
+    def _cast(self, data: mujoco.MjData, camera: Camera, mask: Mask) -> _Hits:
+        """An image of the pixels of a mask, shape (height, width)."""
         height, width = mask.shape
-        hits = before or _Hits(
+        hits = _Hits(
             np.full(mask.shape, -1, np.int32), np.zeros(mask.shape), np.zeros((*mask.shape, 3))
         )
-        rows, columns = np.nonzero(mask)
-        if len(rows) == 0:
+        pixels = np.nonzero(mask)
+        if len(pixels[0]) == 0:
             return hits
-        met = cast(self._physics.model, data, camera, (width, height), (rows, columns), GROUPS)
+        met = cast(self._physics.model, data, camera, (width, height), pixels, GROUPS)
         # The last geom's body stands for index -1, a ray that hit nothing; it is put right below.
         bodies = self._physics.model.geom_bodyid[met.geoms]
         labels = self._detector.label(bodies, met.points)
-        hits.labels[rows, columns] = np.where(met.geoms >= 0, labels, -1)
-        hits.depths[rows, columns] = met.depths
-        hits.normals[rows, columns] = met.normals
+        hits.labels[pixels] = np.where(met.geoms >= 0, labels, -1)
+        hits.depths[pixels] = met.depths
+        hits.normals[pixels] = met.normals
         return hits
 
     def _clouds(self, images: Iterable[tuple[Camera, _Hits]]) -> dict[str, Cloud]:
@@ -238,24 +233,6 @@ def _ball(cloud: Cloud) -> tuple[Array, float]:
     """The middle of a cloud, shape (3,), and how far around it a close-up reaches [m]."""
     centre = (cloud.lowest + cloud.highest) / 2
     return centre, float(np.linalg.norm(cloud.points - centre, axis=1).max()) + MARGIN
-
-
-@cache
-def _coarse(camera: Camera, *, over_table: bool) -> Mask:
-    """Every so many pixels of an overview, or those of them that see the space over the table."""
-    width, height = OVERVIEW
-    mask = np.zeros((height, width), bool)
-    mask[::STRIDE, ::STRIDE] = True
-    if not over_table:
-        return mask
-    a, b = camera.tangents(width, height)
-    across, up = np.meshgrid(a, b)
-    rays = np.stack([across, up, np.ones_like(up)], axis=-1) @ camera.axes()
-    low, high = np.array(SPACE)
-    first, second = (low - camera.position) / rays, (high - camera.position) / rays
-    entered = np.minimum(first, second).max(axis=-1)
-    left = np.maximum(first, second).min(axis=-1)
-    return mask & (entered < left)
 
 
 def _around(camera: Camera, points: Array, radius: float) -> Mask:
