@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Cloud:
     """What was seen of one object: points [m] and outward unit normals, both (n, 3), base frame."""
 
@@ -27,12 +28,12 @@ class Cloud:
             np.concatenate([cloud.normals for cloud in clouds]),
         )
 
-    @property
+    @cached_property
     def lowest(self) -> Array:
         """The bounding box's lower corner, shape (3,) [m]."""
         return self.points.min(axis=0)
 
-    @property
+    @cached_property
     def highest(self) -> Array:
         """The bounding box's upper corner, shape (3,) [m]."""
         return self.points.max(axis=0)

@@ -16,6 +16,8 @@ CORNER = (-0.2, -0.75)
 """x and y of the first spot, base frame [m]."""
 COUNT = (184, 251)
 """Spots along x and y."""
+SEAM = 2
+"""So far about an object, in spots, filling holes may change something."""
 TABLE = "the table"
 
 
@@ -27,14 +29,20 @@ class HeightMap:
         self._owners = np.full(COUNT, -1)
         self._names = tuple(clouds)
         for index, cloud in enumerate(clouds.values()):
-            own = np.zeros(COUNT)
             cells, inside = _cells(cloud.points)
-            np.maximum.at(own, tuple(cells[inside].T), cloud.points[inside, 2])
+            # Only the part of the grid that the cloud is over, with a seam for what is filled.
+            (low, high), _ = _cells(np.stack([cloud.lowest, cloud.highest]))
+            low, high = (low - SEAM).clip(0, COUNT), (high + 1 + SEAM).clip(0, COUNT)
+            if not inside.any():
+                continue
+            own = np.zeros(high - low)
+            np.maximum.at(own, tuple((cells[inside] - low).T), cloud.points[inside, 2])
             # A camera's pixels may be farther apart than the spots: small holes are filled.
             own = np.asarray(ndimage.grey_closing(own, 3), float)
-            higher = own > self.heights
-            self._owners[higher] = index
-            self.heights = np.maximum(self.heights, own)
+            window = np.s_[low[0] : high[0], low[1] : high[1]]
+            higher = own > self.heights[window]
+            self._owners[window][higher] = index
+            self.heights[window][higher] = own[higher]
 
     def below(self, points: Array) -> Array:
         """The heights under points (n, 3), shape (n,) [m]; off the grid, the table's."""

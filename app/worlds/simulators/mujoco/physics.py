@@ -44,6 +44,7 @@ class Physics:
         self.model.opt.impratio = FRICTION_STIFFNESS
         self.data = mujoco.MjData(self.model)
         self._view = mujoco.MjData(self.model)
+        self._timestep: float = self.model.opt.timestep
         self._steps = 0
         self._sampled = 0
         self._frames: list[Frame] = []
@@ -64,7 +65,7 @@ class Physics:
     @property
     def time(self) -> float:
         """Simulated time since the rollout began [s]."""
-        return self._steps * self.model.opt.timestep
+        return self._steps * self._timestep
 
     @property
     def steps(self) -> int:
@@ -111,7 +112,7 @@ class Physics:
 
     def step(self) -> None:
         """Go on by one time step."""
-        if self._steps * self.model.opt.timestep * FRAME_RATE >= self._sampled:
+        if self._steps * self._timestep * FRAME_RATE >= self._sampled:
             self._sample()
         mujoco.mj_step(self.model, self.data)
         self._steps += 1
@@ -141,7 +142,7 @@ class Physics:
 
     def steps_in(self, seconds: float) -> int:
         """The number of time steps in a duration [s]."""
-        return max(1, round(seconds / self.model.opt.timestep))
+        return max(1, round(seconds / self._timestep))
 
     def resting(self) -> bool:
         """Whether no object moves noticeably."""
