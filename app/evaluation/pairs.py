@@ -3,15 +3,18 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+import mujoco
 import numpy as np
 
 from app.domain.scene import Scene, SceneObject
 from app.worlds.simulators.mujoco.objects import kinds
 from app.worlds.simulators.mujoco.physics import Physics
-from app.worlds.simulators.mujoco.scene_builder import build
+from app.worlds.simulators.mujoco.scene_builder import ObjectBody, build
 
 DROP = 0.004
-"""An object is let go so far above the floor of a container, or above its rim [m]."""
+"""An object is let go so far above where it would first touch a container [m]."""
+LOWERED = 0.002
+"""Steps in which that place is looked for [m]."""
 SECONDS = (2.0, 0.5)
 """How long it may come to rest, and how long it is then looked at [s]."""
 DEEPEST = 0.002
@@ -80,9 +83,8 @@ def try_pair(item: str, container: str) -> Pair:
     body, other = physics.bodies[item], physics.bodies[container]
     assert other.opening is not None
     fits = body.footprint_radius < SNUG * other.opening.radius
-    height = other.opening.floor if fits else max(other.height, other.opening.rim) + 0.005
     start = body.qpos_address
-    physics.data.qpos[start : start + 3] = (*PLACE, height + DROP)
+    physics.data.qpos[start : start + 3] = (*PLACE, _lowest_clear(physics, body, other) + DROP)
     speed = slice(body.dof_address, body.dof_address + 3)
     fastest = 0.0
     for _ in range(physics.steps_in(SECONDS[0])):
@@ -101,6 +103,22 @@ def try_pair(item: str, container: str) -> Pair:
         drift=drift,
         rolling=kinds[item].round or not fits,
     )
+
+
+def _lowest_clear(physics: Physics, body: ObjectBody, container: ObjectBody) -> float:
+    """How low the body's origin can be over the middle of a container without touching it [m]."""
+    assert container.opening is not None
+    data = mujoco.MjData(physics.model)
+    data.qpos[:] = physics.data.qpos
+    height = max(container.height, container.opening.rim) + LOWERED
+    while height > container.opening.floor:
+        data.qpos[body.qpos_address : body.qpos_address + 3] = (*PLACE, height - LOWERED)
+        mujoco.mj_fwdPosition(physics.model, data)
+        bodies = physics.model.geom_bodyid[data.contact.geom]
+        if np.isin(bodies, body.parts).any():
+            break
+        height -= LOWERED
+    return height
 
 
 def _object(name: str, place: tuple[float, float]) -> SceneObject:

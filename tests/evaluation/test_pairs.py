@@ -29,3 +29,7 @@ def test_what_is_wrong_with_a_pair_is_told(change, fault):
     fine = {"deepest": 0.0, "fastest": 0.2, "drift": 0.0, "rolling": False}
     assert Pair(item="apple", container="bowl", **fine).fault is None
     assert Pair(item="apple", container="bowl", **(fine | change)).fault == fault
+
+
+def test_what_is_wider_than_the_floor_of_a_bowl_is_let_go_above_its_walls():
+    assert try_pair("cracker_box", "bowl").fault is None
