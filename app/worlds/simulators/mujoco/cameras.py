@@ -180,16 +180,16 @@ class Cameras:
         hits = _Hits(
             np.full(mask.shape, -1, np.int32), np.zeros(mask.shape), np.zeros((*mask.shape, 3))
         )
-        pixels = np.nonzero(mask)
-        if len(pixels[0]) == 0:
+        rows, columns = np.nonzero(mask)
+        if len(rows) == 0:
             return hits
-        met = cast(self._physics.model, data, camera, (width, height), pixels, GROUPS)
+        met = cast(self._physics.model, data, camera, (width, height), (rows, columns), GROUPS)
         # The last geom's body stands for index -1, a ray that hit nothing; it is put right below.
         bodies = self._physics.model.geom_bodyid[met.geoms]
         labels = self._detector.label(bodies, met.points)
-        hits.labels[pixels] = np.where(met.geoms >= 0, labels, -1)
-        hits.depths[pixels] = met.depths
-        hits.normals[pixels] = met.normals
+        hits.labels[rows, columns] = np.where(met.geoms >= 0, labels, -1)
+        hits.depths[rows, columns] = met.depths
+        hits.normals[rows, columns] = met.normals
         return hits
 
     def _clouds(self, images: Iterable[tuple[Camera, _Hits]]) -> dict[str, Cloud]:
