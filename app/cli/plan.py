@@ -75,9 +75,15 @@ def command(  # noqa: PLR0913 - one parameter per option
     with ServiceClient(url) as client:
         plan = carry_out(client, request, Console(stderr=as_json), as_json=as_json)
         while talk and (wish := _next_wish(plan)):
-            request = {"parent": plan["id"], "instruction": wish, "planner": request["planner"]}
+            request = following(request, plan["id"], wish)
             plan = carry_out(client, request, Console(stderr=as_json), as_json=as_json)
     raise SystemExit(0 if well_ended(plan) else 1)
+
+
+def following(request: Mapping[str, Any], parent: str, wish: str) -> dict[str, Any]:
+    """The request of the next sentence, with all that the first one's options asked for."""
+    kept = {key: request[key] for key in ("seed", "execute", "planner")}
+    return {"parent": parent, "instruction": wish, **kept}
 
 
 def _switches(given: tuple[str, ...]) -> dict[str, Any]:

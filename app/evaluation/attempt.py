@@ -1,7 +1,9 @@
 """Attempt: one task planned, carried out by the perfect executor and, if asked for, in physics."""
 
+import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from app.domain.errors import (
     CompletionFailed,
@@ -30,7 +32,7 @@ OpenModel = Callable[[str, str], LanguageModel]
 """The model of a name; ``default`` is the second argument, the planner's own choice."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Unit:
     """One attempt that is to be made."""
 
@@ -40,10 +42,16 @@ class Unit:
     language: str = ENGLISH
     physics: bool = False
 
-    @property
+    @cached_property
     def key(self) -> str:
-        """What the attempt is stored under."""
-        return f"{self.cell.name} | {self.task.name} | {self.language} | {self.run}"
+        """What the attempt is stored under.
+
+        A digest stands for whatever the names do not tell: with other switches, another model or
+        another scene under the same name, it is another attempt.
+        """
+        told = repr((self.cell.options, self.task, self.physics))
+        digest = hashlib.sha256(told.encode()).hexdigest()[:8]
+        return f"{self.cell.name} | {self.task.name} | {self.language} | {self.run} | {digest}"
 
     @property
     def start(self) -> str:

@@ -3,7 +3,7 @@ import json
 import pytest
 from click.testing import CliRunner
 
-from app.cli.plan import command
+from app.cli.plan import command, following
 
 NOBODY = "http://127.0.0.1:9"
 
@@ -42,3 +42,12 @@ def test_a_robot_cannot_be_changed_in_the_middle_of_a_dialogue():
     result = CliRunner().invoke(command, ["now the other", "--after=pl_1", "--robot=ur5e"])
     assert result.exit_code == 2
     assert "leave --robot out" in result.output
+
+
+def test_the_next_sentence_of_a_talk_keeps_what_the_options_asked_for():
+    first = {"scene": {}, "instruction": "a", "seed": 3, "execute": False, "planner": {"model": "x"}}
+    second = following({**first, "goal": ["in(a, b)"]}, "pl_1", "now the other one")
+    assert second["parent"] == "pl_1"
+    assert second["instruction"] == "now the other one"
+    assert (second["seed"], second["execute"], second["planner"]) == (3, False, {"model": "x"})
+    assert following(second, "pl_2", "and back")["execute"] is False

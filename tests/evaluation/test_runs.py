@@ -31,6 +31,19 @@ def test_a_rerun_goes_on_where_the_last_one_stopped(suite, make_cell, open_model
     assert told[-1].seconds_left == 0
 
 
+def test_other_switches_under_the_same_names_are_attempted_anew(
+    suite, make_cell, open_models, tmp_path
+):
+    evaluate(Evaluation(suite=suite, cells=(make_cell(),)), open_models, tmp_path)
+    again = Evaluation(suite=suite, cells=(make_cell(temperature=0.9),))
+    made = []
+    evaluate(again, open_models, tmp_path, report=lambda p: made.append(p.last) or False)
+    assert len([each for each in made if each]) == 2
+    made.clear()
+    evaluate(again, open_models, tmp_path, report=lambda p: made.append(p.last) or False)
+    assert made == [None]
+
+
 def test_no_attempt_is_begun_after_the_time_is_up(suite, make_cell, open_models, tmp_path):
     evaluation = Evaluation(suite=suite, cells=(make_cell(),), seconds=0.0)
     assert evaluate(evaluation, open_models, tmp_path) == []
