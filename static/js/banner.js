@@ -21,6 +21,12 @@ export class Banner {
     this.actions = actions;
     this.root = byId("banner");
     this.timer = null;
+    this.title = h("h2", { id: "banner-title" });
+    this.sentence = h("p", { class: "sentence" });
+    // The same element all the time: what reads the page aloud follows its text.
+    this.status = h("p", { role: "status" });
+    this.rest = h("div");
+    this.root.append(this.title, this.sentence, this.status, this.rest);
   }
 
   hide() {
@@ -40,17 +46,21 @@ export class Banner {
     clearInterval(this.timer);
     this.root.hidden = false;
     const under = UNDER_WAY.has(state);
-    this.clock = h("span", { class: "clock" });
-    const status = h("p", { class: `status ${TONES[state] ?? ""}`, role: "status", "data-status": state }, WORDS[state] ?? state, under && this.clock);
-    this.root.replaceChildren(...[
-      h("h2", { id: "banner-title" }, plan.planner ? "Instruction" : "Program by hand"),
-      h("p", { class: "sentence" }, plan.instruction),
-      status,
+    this.clock = h("span", { class: "clock", "aria-hidden": "true" });
+    this.title.textContent = plan.planner ? "Instruction" : "Program by hand";
+    this.sentence.textContent = plan.instruction;
+    this.status.className = `status ${TONES[state] ?? ""}`;
+    this.status.dataset.status = state;
+    this.status.replaceChildren(WORDS[state] ?? state, ...(under ? [this.clock] : []));
+    const focused = this.rest.contains(document.activeElement) ? document.activeElement.textContent : null;
+    this.rest.replaceChildren(...[
       under && h("div", { class: "progress", role: "progressbar", "aria-label": WORDS[state] }),
       this.why(plan, execution),
       state === "awaiting_approval" && h("p", { class: "why" }, "Nothing has been moved. Read the program; it is carried out when you approve it."),
       this.buttons(plan, execution, state),
     ].filter(Boolean));
+    // Whoever works by keyboard stays where they were, or at the first button if that one is gone.
+    if (focused !== null) ([...this.rest.querySelectorAll("button, a, select")].find((each) => each.textContent === focused) ?? this.rest.querySelector("button"))?.focus();
     if (under) this.timer = setInterval(() => this.tick(), 200);
   }
 
@@ -101,10 +111,15 @@ export class Banner {
   }
 
   fail(message) {
+    if (this.root.hidden) {
+      this.title.textContent = "This plan";
+      this.sentence.textContent = "";
+      this.status.replaceChildren();
+      this.rest.replaceChildren();
+    }
     this.root.hidden = false;
     this.shown = null;
-    this.root.querySelector(".problem")?.remove();
-    if (!this.root.querySelector("#banner-title")) this.root.append(h("h2", { id: "banner-title" }, "This plan"));
-    this.root.append(h("p", { class: "problem", role: "alert" }, message));
+    this.rest.querySelector(".problem")?.remove();
+    this.rest.append(h("p", { class: "problem", role: "alert" }, message));
   }
 }

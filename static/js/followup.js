@@ -26,7 +26,7 @@ export class FollowUp {
     this.plan = plan;
     const name = `next-${plan.id}`;
     this.input = h("input", {
-      id: "next", maxlength: 2000, autocomplete: "off",
+      id: "next", maxlength: 1000, autocomplete: "off",
       placeholder: plan.declined ? "the red one" : "now the other one, or: put it back",
       oninput: () => remember(name, this.input.value),
     });

@@ -38,6 +38,13 @@ function route() {
   else watch.close();
 }
 
+byId("skip").addEventListener("click", (event) => {
+  // The address names the plan: it must not become the name of a place on the page.
+  event.preventDefault();
+  const shown = byId(byId("desk").hidden ? "evaluations" : "result");
+  shown.scrollIntoView();
+  shown.focus();
+});
 window.addEventListener("hashchange", route);
 watchReadiness();
 await Promise.all([form.load(), earlier.load()]);

@@ -44,7 +44,7 @@ export class RequestForm {
 
   /** Fill the form with what an earlier plan was asked. */
   take(plan) {
-    this.scene.take(plan.scene);
+    this.scene.take(plan.given_scene);
     this.task = null;
     remember("task", null);
     this.set("instruction", plan.instruction);

@@ -53,18 +53,10 @@ export class SceneEditor {
     this.show(name);
   }
 
-  /** Take up the scene of an earlier plan: what it names, without the places that were sampled. */
+  /** Take up the scene of an earlier plan, as it was asked for: nothing of what was drawn at random. */
   take(scene) {
-    if (scene.environment) {
-      this.scene = { world: scene.world, environment: scene.environment };
-    } else {
-      const objects = scene.objects.map(({ name, kind, category, colour, container, properties }) => ({
-        name, ...(kind && { kind }), ...(category && { category }), ...(colour && { colour }), ...(container && { container }),
-        ...(Object.keys(properties ?? {}).length && { properties }),
-      }));
-      const robot = scene.robot && scene.robot !== this.usual && { robot: scene.robot };
-      this.scene = { world: scene.world, ...robot, objects, ...(scene.actions && { actions: scene.actions }) };
-    }
+    const home = scene.environment || scene.graph;
+    this.scene = present({ ...scene, objects: home ? null : scene.objects.map(present) });
     this.keep(OWN);
     this.show(OWN);
   }
@@ -91,7 +83,7 @@ export class SceneEditor {
   show(name) {
     this.select.value = name;
     byId("scene-about").textContent = this.ready.get(name)?.about ?? "";
-    const home = this.scene.environment;
+    const home = this.scene.environment ?? (this.scene.graph && "of your own");
     byId("scene-legend").textContent = home ? "In the home" : "On the table";
     byId("add-object").hidden = Boolean(home) || !this.json.hidden;
     byId("robot-field").hidden = (this.scene.world ?? "tabletop") !== "tabletop" || this.robot.options.length < 2;
@@ -194,4 +186,10 @@ export class SceneEditor {
     if (!Array.isArray(objects)) return this.scene;
     return { ...this.scene, objects: objects.filter((object) => String(object?.name ?? "").trim() !== "") };
   }
+}
+
+/** What there is of an object, without what is null, false or empty. */
+function present(object) {
+  const there = ([, value]) => value && (typeof value !== "object" || Object.keys(value).length);
+  return Object.fromEntries(Object.entries(object).filter(there));
 }

@@ -1,6 +1,7 @@
 """The page in Chromium, over the service as people start it."""
 
 import io
+import json
 import re
 
 import httpx
@@ -123,6 +124,28 @@ def test_picture_that_fails_to_load_is_loaded_again(open_page, finished):
     expect(slider(page)).to_be_disabled()
     expect(slider(page)).to_be_enabled()
     seek(page, 1.0)
+
+
+def test_skip_link_leads_to_the_result_and_keeps_it(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(status(page)).to_have_text("Succeeded")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    expect(page.locator("#result")).to_be_focused()
+    expect(status(page)).to_have_text("Succeeded")
+    assert page.url.endswith(finished)
+
+
+def test_task_of_an_earlier_plan_is_taken_as_it_was_asked_for(open_page, service):
+    bowl = {"name": "bowl", "position": [0.5, 0.2, 0.0], "yaw": 0.5}
+    scene = {"world": "tabletop", "objects": [{"name": "banana"}, bowl]}
+    with httpx.Client(base_url=service.url, timeout=60) as http:
+        request = {"scene": scene, "instruction": SENTENCE, "execute": False}
+        plan = http.post("/plans", json=request).json()["id"]
+    page = open_page(f"/#/plans/{plan}")
+    page.get_by_role("button", name="Use this task").click()
+    expect(page.get_by_label("What should the robot do?")).to_have_value(SENTENCE)
+    assert json.loads(page.locator("#scene-json").input_value()) == scene
 
 
 def test_the_other_robot_can_be_chosen_and_does_the_same(open_page):

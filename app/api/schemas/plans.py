@@ -197,6 +197,9 @@ class PlanShown(Shown):
     status: Status
     instruction: str
     scene: SceneShown
+    given_scene: SceneShown = Field(
+        description="The scene as it was asked for; what it leaves open, another seed draws anew."
+    )
     scene_id: str | None
     seed: int
     execute: bool
