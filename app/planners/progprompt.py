@@ -1,6 +1,7 @@
 """The paper's planner: prompt → completion → program."""
 
 import re
+import time
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -22,6 +23,7 @@ from app.programs.examples import asserted_relations, load_examples
 from app.programs.parser import parse_program
 from app.programs.prompt import write_cue, write_preamble, write_prompt
 from app.programs.repetition import before_repetition
+from app.programs.transcript import LOOK_EVERY
 
 STOP = ("\ndef ", "\n\n\n", "\nfrom ", "\nclass ", "\nif __name__", "```")
 STOP_CONSTRAINED = ("\n\n", "\ndef ")
@@ -181,6 +183,7 @@ class _Telling:
         self._stopping = False
         self._written = ""
         self._kept: str | None = None
+        self._looked = time.perf_counter()
 
     def event(self, event: PlanningEvent) -> None:
         """Tell of one event.
@@ -197,9 +200,13 @@ class _Telling:
         self._written += piece
         if "\n" in piece:
             self._kept = before_repetition(self._written)
-        if not self._stopping and (len(self._pending) >= PIECE or "\n" in piece):
+        # Also while nothing is written, since the prompt is still being read, one may cancel.
+        due = time.perf_counter() - self._looked >= LOOK_EVERY
+        if not self._stopping and (len(self._pending) >= PIECE or "\n" in piece or due):
+            self._looked = time.perf_counter()
             self._stopping = self._report(CompletionGrew(text=self._pending))
-            self._pending, self._told = "", True
+            self._told = self._told or bool(self._pending)
+            self._pending = ""
         return self._stopping or self._kept is not None
 
     def ended(self, completion: Completion) -> Completion:

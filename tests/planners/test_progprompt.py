@@ -1,3 +1,4 @@
+import time
 from dataclasses import replace
 
 import pytest
@@ -12,6 +13,7 @@ from app.planners import planners
 from app.planners.progprompt import MAX_CONTINUATIONS, function_body, whole_lines
 from app.programs.parser import parse_program
 from app.programs.prompt import write_prompt
+from app.programs.transcript import LOOK_EVERY
 
 GOOD = "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n    # 2: Done\n"
 
@@ -103,6 +105,22 @@ def test_a_wish_to_stop_is_heard_at_every_event(task, canned, write, wish_at):
     with pytest.raises(Cancelled):
         write(task(), canned(GOOD), report)
     assert len(events) == wish_at + 1
+
+
+def test_a_wish_to_stop_is_heard_while_the_prompt_is_read(task, canned, write):
+    class SlowReader(canned):
+        def complete(self, request, on_text=None):
+            for _ in range(20):
+                time.sleep(LOOK_EVERY / 4)
+                if on_text(""):
+                    self.stopped = True
+                    return replace(super().complete(request), text="", finish="cancelled")
+            return super().complete(request, on_text)
+
+    model = SlowReader(GOOD)
+    with pytest.raises(Cancelled):
+        write(task(), model, lambda event: isinstance(event, CompletionGrew))
+    assert model.stopped
 
 
 @pytest.mark.parametrize(
