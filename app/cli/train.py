@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import cast
 
 import click
+from click.core import ParameterSource
 from rich.console import Console
 
 from app.llm.backend import PROCESS_ENVIRONMENT
@@ -12,8 +13,10 @@ from app.llm.models import find_model
 from app.llm.sources import weight_store
 from app.main.models import llm_config
 from app.settings import Settings
+from app.training.recipe import Recipe
 
 QUICK = {"examples": 3000, "minutes": 28.0, "per_kind": 3}
+"""What --quick sets, but for what is given as well."""
 
 
 @click.command()
@@ -53,7 +56,10 @@ QUICK = {"examples": 3000, "minutes": 28.0, "per_kind": 3}
     multiple=True,
     help="Measure this plain model with the paper's prompt too; may be given several times.",
 )
-def command(*, quick: bool, base: str, out: Path, **options: object) -> None:
+@click.pass_context
+def command(
+    context: click.Context, *, quick: bool, base: str, out: Path, **options: object
+) -> None:
     """Generate sentences, train on them, convert, measure, write a card; run again to resume."""
     os.environ.update(PROCESS_ENVIRONMENT)  # before torch loads the thread library
     try:
@@ -69,6 +75,11 @@ def command(*, quick: bool, base: str, out: Path, **options: object) -> None:
         raise click.BadParameter(f"{base} has no file of weights", param_hint="--base")
     file = weight_store(config).ensure(weights)
     compare = cast("tuple[str, ...]", options.pop("compare"))
-    chosen = {**options, **(QUICK if quick else {})}
-    recipe = pipeline.Recipe(name=out.name, base=file, out=out, **chosen)
+    if quick:
+        options |= {name: value for name, value in QUICK.items() if not _is_given(context, name)}
+    recipe = Recipe(name=out.name, base=file, out=out, **options)  # pyright: ignore[reportArgumentType]
     pipeline.run(recipe, config, compare, Console().print)
+
+
+def _is_given(context: click.Context, name: str) -> bool:
+    return context.get_parameter_source(name) is not ParameterSource.DEFAULT

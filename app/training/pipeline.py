@@ -3,7 +3,7 @@
 import json
 import os
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,7 @@ from app.planners import planners
 from app.training import evaluation, suites
 from app.training.adapter import Card, read_adapter, sha256, write_adapter
 from app.training.network import LoraShape, Network
+from app.training.recipe import Recipe
 from app.training.training import Progress, Schedule, train
 
 if TYPE_CHECKING:
@@ -24,43 +25,20 @@ if TYPE_CHECKING:
 Say = Callable[[str], None]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Recipe:
-    """What to make, of what, how and where."""
-
-    name: str
-    base: Path
-    out: Path
-    """A folder, made if need be."""
-    examples: int = 6000
-    minutes: float = 120.0
-    threads: int = 2
-    device: str = "cpu"
-    seed: int = 1
-    first_layer: int = 4
-    rate: float = 6e-4
-    """Of learning, at its height."""
-    start: Path | None = None
-    """An adapter of the same base and layers to go on from."""
-    per_kind: int = 10
-    suite: tuple[Path, ...] = ()
-    data: Path | None = None
-    """A folder of the user's own words."""
-
-    @property
-    def adapter(self) -> Path:
-        """The file it is all for."""
-        return self.out / f"{self.name}.gguf"
-
-
 def run(recipe: Recipe, config: LlmConfig, compare: tuple[str, ...], say: Say) -> None:
-    """Train, convert, measure, write the card."""
+    """Train, convert, measure, write the card.
+
+    Raises:
+        Conflict: the folder holds an adapter that was made by another recipe.
+    """
     os.environ.setdefault("HF_HUB_OFFLINE", "1")
     recipe.out.mkdir(parents=True, exist_ok=True)
     trained = recipe.out / "training.json"
-    if not (recipe.adapter.exists() and trained.exists()):
+    if recipe.adapter.exists() and trained.exists():
+        recipe.check(json.loads(trained.read_text("utf-8")))
+    else:
         progress = make_adapter(recipe, say)
-        trained.write_text(json.dumps(asdict(progress)), "utf-8")
+        trained.write_text(json.dumps({**recipe.choices(), **asdict(progress)}), "utf-8")
     adapted = open_adapted(recipe.base, recipe.adapter, config)
     measured = {recipe.name: measure(recipe, adapted, "situated", recipe.name, say)}
     adapted.close()
@@ -131,14 +109,7 @@ def write_card(recipe: Recipe, facts: dict[str, object], measured: Mapping[str, 
         base=recipe.base.name,
         base_sha256=sha256(recipe.base),
         adapter_sha256=sha256(recipe.adapter),
-        training={
-            "seed": recipe.seed,
-            "first_layer": recipe.first_layer,
-            "rank": 16,
-            "rate": recipe.rate,
-            "started_from": sha256(recipe.start) if recipe.start else None,
-            **facts,
-        },
+        training={"rank": LoraShape().rank, **facts},
         figures=dict(measured),
     )
     card.write(recipe.adapter.with_suffix(".json"))
