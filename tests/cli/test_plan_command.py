@@ -45,7 +45,13 @@ def test_a_robot_cannot_be_changed_in_the_middle_of_a_dialogue():
 
 
 def test_the_next_sentence_of_a_talk_keeps_what_the_options_asked_for():
-    first = {"scene": {}, "instruction": "a", "seed": 3, "execute": False, "planner": {"model": "x"}}
+    first = {
+        "scene": {},
+        "instruction": "a",
+        "seed": 3,
+        "execute": False,
+        "planner": {"model": "x"},
+    }
     second = following({**first, "goal": ["in(a, b)"]}, "pl_1", "now the other one")
     assert second["parent"] == "pl_1"
     assert second["instruction"] == "now the other one"
