@@ -13,6 +13,10 @@ from typing import Any, get_type_hints
 PREFIX = "PROGPROMPT_"
 
 
+class SettingRefused(ValueError):
+    """A variable of the environment does not have the form its setting wants."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Settings:
     """All there is to configure."""
@@ -66,7 +70,7 @@ class Settings:
         """Read the environment.
 
         Raises:
-            ValueError: a variable does not have the form its setting wants; it is named.
+            SettingRefused: a variable does not have the form its setting wants; it is named.
         """
         given = os.environ if environment is None else environment
         hints = get_type_hints(cls)
@@ -101,9 +105,9 @@ def _convert(variable: str, text: str, hint: object) -> object:
         try:
             return int(text)
         except ValueError:
-            raise ValueError(f"{variable} is {text!r}; a whole number is wanted") from None
+            raise SettingRefused(f"{variable} is {text!r}; a whole number is wanted") from None
     if hint is bool:
         if text.lower() not in ("true", "false"):
-            raise ValueError(f"{variable} is {text!r}; true or false is wanted")
+            raise SettingRefused(f"{variable} is {text!r}; true or false is wanted")
         return text.lower() == "true"
     return Path(text) if hint == Path | None else text

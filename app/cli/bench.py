@@ -23,7 +23,12 @@ from app.main.models import llm_config
 from app.settings import Settings
 from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
 
-command = click.Group("bench", help="Measure parts of the system on this machine.")
+
+@click.group()
+def command() -> None:
+    """Measure parts of the system on this machine."""
+
+
 for each in (verb, tower, pairs, household, fuzz, api, model):
     command.add_command(each)
 

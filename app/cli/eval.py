@@ -38,7 +38,11 @@ class Suites(click.Group):
         return None
 
 
-command = Suites("eval", help="Measure planners and models on a suite, shipped or in a file.")
+@click.group(cls=Suites)
+def command() -> None:
+    """Measure planners and models on a suite, shipped or in a file."""
+
+
 command.add_command(paper)
 
 
