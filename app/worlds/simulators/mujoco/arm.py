@@ -7,7 +7,6 @@ direction [m]. Joint angles have shape (n,), n the number of the arm's joints [r
 
 import math
 from abc import ABC, abstractmethod
-from functools import cached_property
 from typing import NamedTuple
 
 import mujoco
@@ -80,12 +79,12 @@ class Arm(ABC):
         """How many the arm has, the gripper's left out."""
         return len(self.home)
 
-    @cached_property
+    @property
     def arm_part(self) -> slice:
         """The arm's joints in ``qpos``, and its actuators in ``ctrl``."""
         return slice(0, self.joints)
 
-    @cached_property
+    @property
     def finger_part(self) -> slice:
         """The gripper's joints in ``qpos``."""
         return slice(self.joints, self.joints + self.finger_joints)
