@@ -69,7 +69,7 @@ def robot(layouts: int, model: str, perception: Perception, as_json: bool) -> No
     """The paper's four robot tasks with 0 to 4 distractors: SR, Plan SR, GCR and Exec."""
     settings = Settings.from_environment()
     name = settings.model if model == "default" else model
-    tasks = list(robot_tasks())
+    tasks = robot_tasks()
     rows: list[RobotRow] = []
     with Progress(console=Console(stderr=True)) as progress:
         bar = progress.add_task("rolling out", total=len(tasks) * layouts)

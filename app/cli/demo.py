@@ -19,7 +19,7 @@ from app.cli.models import fetch
 from app.cli.plan import carry_out, well_ended
 
 SCENE = Path(__file__).parents[2] / "static" / "scenes" / "sort-fruits-and-bottles.json"
-READY_LIMIT = 180.0  # [s], generous: a cold disk reads 1.1 GB of weights in it
+READY_LIMIT = 180.0  # [s], generous: a cold disk reads the weights in it
 STOP_LIMIT = 15.0  # [s]
 
 

@@ -1,36 +1,21 @@
 """The paper's four robot tasks with growing numbers of distractors (its Table IV)."""
 
-import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 
 from app.domain.goal import Goal
 from app.domain.instruction import Instruction
 from app.domain.llm import LanguageModel
 from app.domain.perception import Perception
 from app.domain.planner import PlannerOptions, Task
-from app.domain.scene import Scene, SceneObject
 from app.domain.trace import ExecutionEvent, Trace
 from app.evaluation.intervals import wilson
 from app.evaluation.pick import CAMERAS
+from app.evaluation.suites import find_suite
+from app.evaluation.tasks import SuiteTask
 from app.planners import planners
-from app.programs.conditions import parse_condition
 from app.rollout import Scores, carry_out, collect, offered, rehearse, score, understand
 from app.worlds.tabletop import Tabletop
-
-SUITE = Path(__file__).resolve().parents[2] / "static" / "suites" / "robot-tasks.json"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RobotTask:
-    """One row of the table: a task with so many distractors, planned once."""
-
-    instruction: str
-    objects: tuple[str, ...]
-    """Distractors last."""
-    distractors: int
-    goal: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,20 +37,13 @@ class RobotRow:
     """Wall time of the completion [s]."""
 
 
-def robot_tasks() -> Iterator[RobotTask]:
+def robot_tasks() -> tuple[SuiteTask, ...]:
     """Every task with 0 to all of its distractors."""
-    for entry in json.loads(SUITE.read_text(encoding="utf-8")):
-        for count in range(len(entry["distractors"]) + 1):
-            yield RobotTask(
-                instruction=entry["instruction"],
-                objects=(*entry["objects"], *entry["distractors"][:count]),
-                distractors=count,
-                goal=tuple(entry["goal"]),
-            )
+    return find_suite("robot-tasks").tasks
 
 
 def run_robot_task(
-    task: RobotTask,
+    task: SuiteTask,
     model: LanguageModel,
     layouts: int,
     perception: Perception = CAMERAS,
@@ -77,8 +55,7 @@ def run_robot_task(
         ModelError: the model could not be asked, or gave nothing usable.
     """
     world = Tabletop()
-    scene = Scene(world=world.name, objects=tuple(SceneObject(name=n) for n in task.objects))
-    goal = Goal(tuple(parse_condition(text) for text in task.goal))
+    scene, goal = task.scene, Goal(task.conditions)
     asked = Task(
         scene=world.complete(scene, 0),
         actions=offered(world, scene),
@@ -95,7 +72,7 @@ def run_robot_task(
         on_layout(rollouts[-1])
     return RobotRow(
         instruction=task.instruction,
-        distractors=task.distractors,
+        distractors=len(task.distractors),
         layouts=layouts,
         sr=_mean(rollouts, "sr"),
         sr_interval=wilson(sum(each["sr"] == 1 for each in rollouts), layouts),

@@ -60,11 +60,6 @@ def import_line(actions: Sequence[ActionSignature]) -> str:
     return f"from actions import {', '.join(shown)}"
 
 
-def print_statement(statement: Statement, style: Style = "paper") -> str:
-    """One statement's text, without the indentation of its place."""
-    return "\n".join(_lines(statement, style))
-
-
 def _block(statements: Sequence[Statement], style: Style) -> Iterator[str]:
     for statement in statements:
         for line in _lines(statement, style):
