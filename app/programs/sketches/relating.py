@@ -1,0 +1,33 @@
+"""Things told by where they stand to another thing: "the cup in front of the jar"."""
+
+from collections.abc import Callable
+
+from app.programs.sketches.qualities import AXES, Fits, distance, is_placed, stands
+
+
+def related(
+    kept: Fits, key: str, anchors: Fits, rests: Callable[[str, str], bool], *, many: bool
+) -> Fits:
+    """Those that stand so to the one thing that the anchors leave no doubt of.
+
+    ``rests`` tells whether one thing, by its name, is in or on another.
+    """
+    best = max((score for _, score in anchors), default=0.0)
+    anchors = [pair for pair in anchors if pair[1] >= best - 0.015]
+    if len(anchors) != 1:
+        return kept
+    anchor = anchors[0][0]
+    kept = [pair for pair in kept if pair[0] is not anchor]
+    if key in ("inside", "on"):
+        return [pair for pair in kept if rests(pair[0].name, anchor.name)] or kept
+    here = stands(anchor)
+    placed = [(t, s) for t, s in kept if is_placed(t)]
+    if not is_placed(anchor) or not placed:
+        return kept
+    if key == "near":
+        return [min(placed, key=lambda pair: distance(pair[0], here))]
+    axis, sign = AXES[key]
+    beyond = [(t, s) for t, s in placed if sign * (stands(t)[axis] - here[axis]) > 0.005]
+    if many or len(beyond) < 2:
+        return beyond
+    return [min(beyond, key=lambda pair: distance(pair[0], here))]
