@@ -7,9 +7,11 @@ from app.llm.meaning import likeness
 from app.planners import planners
 from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
 from app.programs.sketches.pieces import named_places, pieces
+from app.programs.sketches.pointing import pointed
 from app.programs.sketches.reader import Reader
 from app.programs.sketches.rereading import without_asides
 from app.programs.sketches.retelling import places_used
+from app.programs.sketches.selection import Selection
 from app.programs.sketches.things import read_things
 from app.programs.sketches.wording import plain_english
 
@@ -36,6 +38,9 @@ class Situated:
             Cancelled: ``report`` asked for it.
         """
         sentence = plain_english(task.instruction.text, task.scene.names)
+        sentence = pointed(
+            sentence, Selection(read_things(task.scene.objects), task.facts, sentence)
+        )
         reader = Reader(task, model, report, likeness)
         if task.history and (said := asks_to_undo(task.instruction.text)):
             return reader.draft(reader.transcript(sentence), undo(task, said["what"]), 1.0)

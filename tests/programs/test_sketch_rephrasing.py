@@ -21,6 +21,16 @@ from app.programs.sketches.rephrasing import rephrased
         ("the shirts get the suitcase, please", "put the shirts in the suitcase, please"),
         ("move the scarf in between the other two, please", "move the middle scarf, please"),
         ("these go in the warm wash, that is, the white hamper", "these go in the white hamper"),
+        (
+            "the ball on the left side of the table goes in the bag",
+            "the ball on the left side goes in the bag",
+        ),
+        (
+            "put it in the box on the left of the table",
+            "put it in the box on the left of the table",
+        ),
+        ("the rubbish that is lying about goes in the bin", "the rubbish goes in the bin"),
+        ("clear the toys scattered all over the floor into the bag", "clear the toys into the bag"),
         ("give the big case a good shove", "push the big case"),
         ("whatever's both small and purple, toss it", "all the small purple things, toss it"),
         ("Clothing gets the suitcase.", "put Clothing in the suitcase."),

@@ -33,6 +33,8 @@ SIDES = {
     "upper": "top",
     "lower": "bottom",
 }
+_OF_SIDE = ("the", "hand", "side", "end", "far", "very")
+"""Words that a side is told with: "on the far right-hand side"."""
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "last": -1}
 _TAILS = (
     (
@@ -118,7 +120,7 @@ def describe_phrase(phrase: Phrase) -> Description:
             ordinal=inner.ordinal or found.ordinal,
         )
     for key, other in phrase.relations:
-        side = SIDES.get(" ".join(words(other)).removeprefix("the "))
+        side = SIDES.get(" ".join(each for each in words(other) if each not in _OF_SIDE))
         if side:  # "on the left" is no thing that something stands on.
             found = replace(found, side=side)
         else:

@@ -1,8 +1,14 @@
 """Things told by where they stand to another thing: "the cup in front of the jar"."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
-from app.programs.sketches.qualities import AXES, Fits, distance, is_placed, stands
+from app.programs.sketches.phrase import Description
+from app.programs.sketches.qualities import AXES, Fits, distance, extreme, is_placed, stands
+
+_SIDES = {"left_of": "left", "right_of": "right", "in_front_of": "near", "behind": "far"}
+
+_ANYWHERE = Description(text="", core=())
 
 
 def related(
@@ -14,6 +20,8 @@ def related(
     """
     best = max((score for _, score in anchors), default=0.0)
     anchors = [pair for pair in anchors if pair[1] >= best - 0.015]
+    if not anchors and key in _SIDES:  # "right of the table": of what everything stands on
+        return extreme(kept, replace(_ANYWHERE, side=_SIDES[key]), many)
     if len(anchors) != 1:
         return kept
     anchor = anchors[0][0]
