@@ -3,7 +3,7 @@
 from collections.abc import Callable, Collection
 
 from app.programs.knowledge.classes import normal
-from app.programs.sketches.matching import SETS
+from app.programs.sketches.matching import SETS, UNMARKED
 from app.programs.sketches.phrase import Description
 from app.programs.sketches.qualities import Fits
 from app.programs.sketches.sketch import Phrase
@@ -17,7 +17,10 @@ def without_excluded(kept: Fits, excluded: Description, fitting: Fitting) -> Fit
     phrase = Phrase(text=excluded.text, quantity="all")
     found = fitting(phrase, ())
     out = {thing.name for thing, _ in found}
-    if not excluded.vague:
+    if not excluded.vague and max((score for _, score in found), default=0.0) >= UNMARKED:
+        # Its name: with the lamp, no candle stays, which is a lamp of a kind.
+        out = {thing.name for thing, score in found if score >= UNMARKED}
+    elif not excluded.vague:
         out = {thing.name for thing, score in found if score >= SETS} or out
     if not out:
         use = Phrase(text=f"things you can {excluded.text}", quantity="all")

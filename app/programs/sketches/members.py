@@ -1,6 +1,7 @@
 """An argument that stands for several objects → its members, and the places they are shared out among."""
 
 import re
+from dataclasses import replace
 
 from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import Argument
@@ -11,7 +12,15 @@ from app.programs.sketches.course import Course
 from app.programs.sketches.phrase import describe_phrase
 from app.programs.sketches.qualities import ordered
 from app.programs.sketches.selection import Selection
-from app.programs.sketches.sets import but_some, halved, left_over, movable, staying
+from app.programs.sketches.sets import (
+    but_some,
+    halved,
+    left_over,
+    movable,
+    rest_of_kind,
+    speaks_of_rest,
+    staying,
+)
 from app.programs.sketches.sketch import Each, Phrase, Rest, Same, SketchArgument
 from app.programs.sketches.things import Thing, listed
 
@@ -51,6 +60,8 @@ class Members:
         affordance: str | None,
     ) -> list[Thing]:
         if isinstance(argument, Rest):
+            argument = rest_of_kind(self._selection.sentence, self._selection) or argument
+        if isinstance(argument, Rest):
             free = [
                 t
                 for t in self._selection.things
@@ -83,7 +94,15 @@ class Members:
         return found
 
     def _others_said(self, free: list[Thing]) -> list[Thing]:
-        """Those of the kind that is told: of "the other marker" no pen."""
+        """Those of the kind that is told: of "the other marker" no pen.
+
+        Of "two blocks here, the rest there" it is the kind that was counted.
+        """
+        counted = self._course.counted
+        if counted and speaks_of_rest(self._selection.sentence):
+            phrase = replace(counted, count=None)
+            alike = self._selection.all(phrase).things if self._selection.possible(phrase) else ()
+            free = [thing for thing in free if thing in alike] or free
         match = re.search(r"\bthe other (\w+)", self._selection.sentence, re.I)
         said = normal(match[1]) if match else ""
         return [thing for thing in free if said in map(normal, thing.words)] or free
@@ -93,6 +112,7 @@ class Members:
     ) -> list[Thing]:
         """So many of them, those first that nothing was done with yet."""
         count = phrase.count or 0
+        self._course.counted = phrase
         there = {str(each) for each in fixed.values()}
         fresh = [
             thing

@@ -16,7 +16,13 @@ def named(calls: Sequence[SketchCall], selection: Selection) -> set[str]:
     arguments = [each for call in calls for each in call.arguments]
     if not any(isinstance(each, Rest) for each in arguments):
         return set()
-    phrases = [phrase for argument in arguments for phrase in _phrases(argument)]
+    rest = next(i for i, each in enumerate(arguments) if isinstance(each, Rest))
+    phrases = [
+        phrase
+        for place, argument in enumerate(arguments)
+        if place > rest or not _counted(argument)  # Of a set counted off before, others are left.
+        for phrase in _phrases(argument)
+    ]
     return {
         thing.name
         for phrase in phrases
@@ -40,6 +46,10 @@ def goals(
         if isinstance(target, Phrase) and (name := names.get(plain(target.text))):
             found.add(name)
     return found
+
+
+def _counted(argument: SketchArgument) -> bool:
+    return isinstance(argument, Phrase) and argument.count is not None
 
 
 def _phrases(argument: SketchArgument) -> list[Phrase]:
