@@ -1,8 +1,12 @@
 """What words for an exception take out of a set: "but not the kiwi", "that is not red"."""
 
+import re
 from collections.abc import Callable, Collection
+from dataclasses import replace
 
-from app.programs.knowledge.classes import normal
+from app.programs.knowledge.classes import VAGUE, normal
+from app.programs.knowledge.names import words
+from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.matching import SETS, UNMARKED
 from app.programs.sketches.phrase import Description
 from app.programs.sketches.qualities import Fits
@@ -10,6 +14,43 @@ from app.programs.sketches.sketch import Phrase
 
 Fitting = Callable[[Phrase, Collection[str]], Fits]
 """The things of the scene that fit a phrase, without those of the names."""
+
+
+_EXCEPTION = word_list("exception")
+_CLAUSE = re.compile(
+    r"\b(?:but|except(?: for)?|unless|not|skip|skipping|without|omit|ignore|excluding|leave(?: out)?|apart from|other than)"
+    r"(?: not| skip| leave(?: out)?| for)? (?:what(?:ever)?|anything|everything|(?:the )?(?:ones|things|stuff)|those|all)"
+    r"(?: that| which)?(?P<clause> [^,.;:!?()]+)",
+    re.I,
+)
+"""What is left out, told by a clause: "but skip whatever goes on my feet"."""
+_POSSESSED = re.compile(r"^ (?:i|you|we|one|people|they)\b", re.I)
+
+
+def heard(phrase: Phrase, sentence: str, possible: Callable[[Phrase], bool]) -> Phrase:
+    """The phrase with what the sentence leaves out, where the sketch made something else of it.
+
+    A word said in passing, "(kept cold)", is no exception where nothing of the sentence makes one;
+    of a clause, sketches keep no more than "things".
+    """
+    if not phrase.but:
+        return phrase
+    spoken = set(words(sentence))
+    if not spoken & _EXCEPTION and not any(each.endswith("n't") for each in spoken):
+        kept = tuple(each for each in phrase.but if possible(Phrase(text=each, quantity="all")))
+        return replace(phrase, but=kept)
+    clause = _CLAUSE.search(sentence)
+    if clause is None:
+        return phrase
+    return replace(phrase, but=tuple(_told(each, clause["clause"]) for each in phrase.but))
+
+
+def _told(left_out: str, clause: str) -> str:
+    """The words of the clause for words that say nothing by themselves."""
+    found = set(words(left_out))
+    if found - VAGUE - _EXCEPTION - {"that", "which", "what", "whatever", "you", "can"}:
+        return left_out
+    return f"things{clause}" if _POSSESSED.match(clause) else f"what{clause}"
 
 
 def without_excluded(kept: Fits, excluded: Description, fitting: Fitting) -> Fits:

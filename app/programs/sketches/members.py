@@ -17,6 +17,7 @@ from app.programs.sketches.sets import (
     halved,
     left_over,
     movable,
+    really_said,
     rest_of_kind,
     speaks_of_rest,
     staying,
@@ -73,6 +74,7 @@ class Members:
             return found
         if not isinstance(argument, Phrase):
             raise ProgramRefused(Fault(field="program", message="a set is wanted"))
+        argument = really_said(argument, self._selection.sentence, self._selection.things)
         avoid = avoid | staying(self._selection.things, self._selection.asked)
         argument = but_some(argument, self._selection.sentence)
         places = avoid | self._course.goals

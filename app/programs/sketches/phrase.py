@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass, field, replace
 
-from app.programs.knowledge.classes import VAGUE
+from app.programs.knowledge.classes import VAGUE, classes
 from app.programs.knowledge.names import DETERMINERS, words
 from app.programs.knowledge.properties import (
     COLOUR_WORDS,
@@ -271,6 +271,8 @@ def _ranking(word: str, read: Description, *, head: bool, alone: bool) -> Descri
 
 
 def _core(found: tuple[str, ...]) -> tuple[str, ...]:
+    if set(found[1:]) <= VAGUE and classes().find(" ".join(found)):
+        return found  # "the doctor's things" are a class of their own.
     while len(found) > 1 and (found[0] in DETERMINERS or found[0].endswith(("'s", "s'"))):
         found = found[1:]
     return found

@@ -1,12 +1,26 @@
 """Things told by where they stand to another thing: "the cup in front of the jar"."""
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+from app.programs.knowledge.classes import ThingClass
+from app.programs.knowledge.names import words
+from app.programs.sketches.matching import find_class
 from app.programs.sketches.phrase import Description
 from app.programs.sketches.qualities import AXES, Fits, distance, extreme, is_placed, stands
+from app.programs.sketches.things import Thing
 
 _SIDES = {"left_of": "left", "right_of": "right", "in_front_of": "near", "behind": "far"}
+
+
+def origin(described: Description, other: str, things: Sequence[Thing]) -> ThingClass | None:
+    """The class of things that come from there: "everything from the baker's", where no baker is."""
+    place = re.sub(r"'s?$", "", " ".join(words(other)))
+    if not described.vague or any(place in thing.unmarked for thing in things):
+        return None
+    return find_class(f"things from the {place}")
+
 
 _ANYWHERE = Description(text="", core=())
 

@@ -6,12 +6,14 @@ from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import UNREAL
+from app.programs.knowledge.classes import UNREAL, VAGUE, belonging
 from app.programs.knowledge.languages import in_english
+from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.choosing import likeliest
 from app.programs.sketches.declared import as_declared
-from app.programs.sketches.excluding import without_excluded
+from app.programs.sketches.excluding import heard, without_excluded
+from app.programs.sketches.hearsay import without_history
 from app.programs.sketches.matching import (
     COUNTS,
     EXACT,
@@ -33,12 +35,16 @@ from app.programs.sketches.qualities import (
     sized,
 )
 from app.programs.sketches.questions import absent, ambiguous
-from app.programs.sketches.relating import related
+from app.programs.sketches.relating import origin, related
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import LIKELY, UNKNOWN, Thing
 from app.programs.sketches.whole_names import bare, whole_name, without_verb
 
 _REAL = frozenset(("real", "actual", "genuine", "proper", "true"))
+_BESIDE = re.compile(
+    r"(?<=\w) (?:for|from|about|at|with) (?:the|my|your|our|his|her|a|an|this) .+$", re.I
+)
+"""What is told of a thing besides what it is: "the food for the picnic"."""
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (
     r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
@@ -140,7 +146,17 @@ class Selection:
         return absent(text, self.things)
 
     def _fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
-        phrase = whole_name(spoken_of(phrase, self.sentence), self.sentence, self.things)
+        """The things of the words, else of the words before "for" and the like."""
+        found = self._wholly_fitting(phrase, without)
+        shorter = _BESIDE.sub("", phrase.text)
+        if found or shorter == phrase.text or set(words(shorter)) <= VAGUE:
+            return found
+        return self._wholly_fitting(replace(phrase, text=shorter), without)
+
+    def _wholly_fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
+        phrase = without_history(spoken_of(phrase, self.sentence))
+        phrase = heard(phrase, f"{self.sentence}. {self.asked}", self.possible)
+        phrase = whole_name(phrase, self.sentence, self.things)
         described = describe_phrase(phrase)
         if found := self._referred(described, without):
             return found
@@ -238,15 +254,23 @@ class Selection:
             kept = [(t, s * p) for t, s in found if (p := has_properties(t, described)) >= UNKNOWN]
         if described.sizes:
             kept = sized(kept, described, many)
-        for key, other in described.relations:
-            anchors = self._fitting(without_verb(Phrase(text=bare(other)), self.things), ())
-            kept = related(kept, key, anchors, self.rests, many=many)
+        kept = self._standing_so(kept, described, many)
         if _REAL & set(described.whole):
             kept = [(t, s) for t, s in kept if not UNREAL & set(t.words)]
         for excluded in described.excluded:
             kept = without_excluded(kept, excluded, self._fitting)
         if described.side or described.superlative or described.ordinal:
             kept = extreme(kept, described, many)
+        return kept
+
+    def _standing_so(self, kept: Fits, described: Description, many: bool) -> Fits:
+        """Those that stand, or come from, where the phrase says."""
+        for key, other in described.relations:
+            if key == "inside" and (kind := origin(described, other, self.things)):
+                kept = [(t, s) for t, s in kept if belonging(t.name, kind) >= COUNTS]
+                continue
+            anchors = self._fitting(without_verb(Phrase(text=bare(other)), self.things), ())
+            kept = related(kept, key, anchors, self.rests, many=many)
         return kept
 
     def _stands_somewhere(self, described: Description) -> bool:

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from app.programs.knowledge.classes import belonging, classes, normal
+from app.programs.knowledge.classes import VAGUE, belonging, classes, normal
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.qualities import is_container
@@ -22,6 +22,20 @@ _SERVING = ("bowl", "plate", "dish", "platter")
 def is_plural(phrase: Phrase) -> bool:
     found = words(phrase.text)
     return phrase.quantity == "one" and bool(found) and normal(found[-1]) != found[-1]
+
+
+def really_said(phrase: Phrase, sentence: str, things: Sequence[Thing]) -> Phrase:
+    """With the word for all of a kind that the sentence says, where the sketch has no more than "things"."""
+    said = words(sentence)
+    named = {word for thing in things for word in thing.words}
+    kinds = {each for each in said if each in COLLECTIVE - VAGUE - named}
+    vague = set(words(phrase.text)) <= VAGUE and phrase.quantity == "all" and not phrase.relations
+    if not vague or len(kinds) != 1 or set(said) & (VAGUE | _EVERYTHING):
+        return phrase
+    return replace(phrase, text=kinds.pop())
+
+
+_EVERYTHING = frozenset(("all", "whatever", "what", "it", "them", "lot", "both", "every", "each"))
 
 
 def movable(found: Sequence[Thing], selection: Selection) -> list[Thing]:
