@@ -57,6 +57,13 @@ def test_the_model_reads_the_name_of_what_is_told_by_its_place(task, canned):
     assert "# put cup 2 in the box\n" in model.requests[0].prompt
 
 
+def test_the_model_reads_who_gets_what(task, canned):
+    asked = _task(task, "the box and the bowl each get a fig", "fig 1", "fig 2", "box", "bowl")
+    model = canned("    grab_and_putin('fig 1', 'box')\n    grab_and_putin('fig 2', 'bowl')\n")
+    _plan(asked, model)
+    assert "# put fig 1 in the box and fig 2 in the bowl\n" in model.requests[0].prompt
+
+
 def test_a_declined_task_keeps_what_the_model_wrote(task, canned):
     asked = _task(task, "put the pear in the box", "fork", "box")
     with pytest.raises(TaskDeclined) as declined:

@@ -8,12 +8,11 @@ reads has its name; else it stays as it was.
 import re
 from collections.abc import Callable, Sequence
 
-from app.domain.errors import TaskDeclined
-from app.programs.knowledge.names import NUMBERS, is_mark
+from app.programs.knowledge.names import NUMBERS
 from app.programs.sketches.lists import INTO
+from app.programs.sketches.naming import Naming, spoken
 from app.programs.sketches.qualities import distance, is_placed, stands
 from app.programs.sketches.selection import Selection
-from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import Thing
 
 _NUMBER = rf"(?P<number>{'|'.join(list(NUMBERS)[1:])}|[2-9])"
@@ -62,7 +61,7 @@ def pointed(sentence: str, selection: Selection) -> str:
     )
     for pattern, find in told:
         for match in reversed(list(pattern.finditer(sentence))):
-            if names := _spoken(find(match)):
+            if names := spoken(find(match)):
                 sentence = sentence[: match.start()] + names + sentence[match.end() :]
     return sentence
 
@@ -71,13 +70,13 @@ class _Pointing:
     """Finds what is meant among the things of one scene; nothing where that is not certain."""
 
     def __init__(self, selection: Selection) -> None:
-        self._selection = selection
+        self._naming = Naming(selection)
 
     def between(self, match: re.Match[str]) -> list[Thing]:
-        one, other = (self._one(match[each]) for each in ("one", "other"))
+        one, other = (self._naming.one(match[each]) for each in ("one", "other"))
         if not one or not other or one is other or not _tells_thing(match):
             return []
-        found = self._all(match["what"], one, other)
+        found = self._naming.all(match["what"], one, other)
         if len(found) < 2:
             return found
         (ax, ay, _), (bx, by, _) = stands(one), stands(other)
@@ -94,10 +93,10 @@ class _Pointing:
         return _least(inner, lambda thing: distance(thing, middle))
 
     def near(self, match: re.Match[str]) -> list[Thing]:
-        anchor = self._one(match["one"])
+        anchor = self._naming.one(match["one"])
         if not anchor or not _tells_thing(match):
             return []
-        found = self._all(match["what"], anchor)
+        found = self._naming.all(match["what"], anchor)
         if len(found) < 2:
             return []
         if not is_placed(anchor) or not all(map(is_placed, found)):
@@ -123,20 +122,8 @@ class _Pointing:
 
     def _row(self, text: str) -> list[Thing]:
         """From left to right; none where it is not known where one of them stands."""
-        found = self._all(text)
+        found = self._naming.all(text)
         return sorted(found, key=lambda t: -stands(t)[1]) if all(map(is_placed, found)) else []
-
-    def _one(self, text: str) -> Thing | None:
-        try:
-            return self._selection.one(Phrase(text=text)).things[0]
-        except TaskDeclined:
-            return None
-
-    def _all(self, text: str, *without: Thing) -> list[Thing]:
-        phrase, names = Phrase(text=text, quantity="all"), {thing.name for thing in without}
-        if not self._selection.possible(phrase, names):
-            return []
-        return list(self._selection.all(phrase, names).things)
 
 
 def _apart(row: Sequence[Thing], place: int) -> bool:
@@ -155,12 +142,3 @@ def _least(found: Sequence[Thing], key: Callable[[Thing], float]) -> list[Thing]
     if len(ordered) > 1 and key(ordered[1]) - key(ordered[0]) < SAME_DISTANCE:
         return []
     return ordered[:1]
-
-
-def _spoken(things: Sequence[Thing]) -> str:
-    """Their names as one says them; nothing where one of them cannot be said."""
-    if not all(re.fullmatch(r"[\w' -]{1,60}", thing.name) for thing in things):
-        return ""
-    return " and ".join(
-        thing.name if is_mark(thing.words[-1]) else f"the {thing.name}" for thing in things
-    )
