@@ -26,6 +26,7 @@ def told(sentence, *names):
         "stack red, blue and green, with green in between and blue on top",
         "build a tower: the red one first, then the green one, then the blue one",
         "stack them all so that red ends up at the very bottom and blue at the very top",
+        "the red one goes under the green one, the green one goes under the blue one",
         "the blue cube must lie on the green cube, which itself must lie on the red cube",
     ],
 )

@@ -10,6 +10,9 @@ from app.programs.sketches.qualities import Fits, is_container
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import Thing
 
+_LEFT_OVER = frozenset(("other", "last", "remaining", "leftover"))
+"""Words for the one that nothing was said of yet."""
+
 
 def likeliest(
     found: Fits,
@@ -32,7 +35,7 @@ def likeliest(
     if len(equal) > 1 and holds:
         equal = [thing for thing in equal if is_container(thing)] or equal
     equal = _twins(equal, phrase, found, best)
-    if len(equal) > 1 and "other" in words(sentence):
+    if len(equal) > 1 and _LEFT_OVER & set(words(sentence)):
         equal = [t for t in equal if t.name not in spoken] or equal
     if len(equal) > 1 and not UNREAL & set(words(phrase.text)):
         equal = [t for t in equal if not UNREAL & set(t.words)] or equal

@@ -17,6 +17,9 @@ Fitting = Callable[[Phrase, Collection[str]], Fits]
 
 
 _EXCEPTION = word_list("exception")
+_NO_EXCEPTION = re.compile(
+    r"\bno (?:need|hurry|rush|matter|problem|worries|doubt)\b|\bnot (?:yet|far|long)\b", re.I
+)
 _CLAUSE = re.compile(
     r"\b(?:but|except(?: for)?|unless|not|skip|skipping|without|omit|ignore|excluding|leave(?: out)?|apart from|other than)"
     r"(?: not| skip| leave(?: out)?| for)? (?:what(?:ever)?|anything|everything|(?:the )?(?:ones|things|stuff)|those|all)"
@@ -27,7 +30,7 @@ _CLAUSE = re.compile(
 _POSSESSED = re.compile(r"^ (?:i|you|we|one|people|they)\b", re.I)
 
 
-def heard(phrase: Phrase, sentence: str, possible: Callable[[Phrase], bool]) -> Phrase:
+def heard(phrase: Phrase, sentence: str, fitting: Fitting) -> Phrase:
     """The phrase with what the sentence leaves out, where the sketch made something else of it.
 
     A word said in passing, "(kept cold)", is no exception where nothing of the sentence makes one;
@@ -35,14 +38,18 @@ def heard(phrase: Phrase, sentence: str, possible: Callable[[Phrase], bool]) -> 
     """
     if not phrase.but:
         return phrase
-    spoken = set(words(sentence))
+    spoken = set(words(_NO_EXCEPTION.sub("", sentence)))
     if not spoken & _EXCEPTION and not any(each.endswith("n't") for each in spoken):
-        kept = tuple(each for each in phrase.but if possible(Phrase(text=each, quantity="all")))
-        return replace(phrase, but=kept)
+        return replace(phrase, but=tuple(each for each in phrase.but if _names(each, fitting)))
     clause = _CLAUSE.search(sentence)
     if clause is None:
         return phrase
     return replace(phrase, but=tuple(_told(each, clause["clause"]) for each in phrase.but))
+
+
+def _names(text: str, fitting: Fitting) -> bool:
+    """Whether the words surely mean a thing that is there."""
+    return any(score >= SETS for _, score in fitting(Phrase(text=text, quantity="all"), ()))
 
 
 def _told(left_out: str, clause: str) -> str:

@@ -13,12 +13,12 @@ _WHOSE = (
 _HISTORY = re.compile(
     rf"\b(?:{_HAPPENED})\b|\blast (?:night|week|month|year|time|summer|winter|\w+day)\b|"
     r"\b(?:was|were|had|been) (?:\w+ )?\w+(?:ed|ing|en|ght)\b|"
-    r"\b(?:i|we|you|he|she|they) \w+ed\b|"
+    r"\b(?:i|we|you|he|she|they) \w+ed\b|^\w+ \w+ed\b|"
     r"\b(?:likes?|loves?|prefers?|wants?)(?: the)? (?:best|most|more)\b",
     re.I,
 )
 _CLAUSE = re.compile(
-    rf"^(?P<head>[\w' -]+?),? (?P<clause>{_WHOSE}(?:'d|'ve|'s)? .+|(?:\w+ )?(?:{_HAPPENED})\b.*)$",
+    rf"^(?P<head>[\w' -]+?),? (?P<clause>{_WHOSE}(?:'d|'ve|'s)? .+|\w+ \w+ed\b.*|(?:\w+ )?(?:{_HAPPENED})\b.*)$",
     re.I,
 )
 _OF_USE = frozenset(("thing", "something", "things", "what", "whatever", "stuff"))

@@ -6,6 +6,7 @@ from dataclasses import replace
 from app.domain.action import ActionSignature
 from app.programs.knowledge.names import plain
 from app.programs.sketches.selection import Selection
+from app.programs.sketches.sets import halved
 from app.programs.sketches.sketch import Each, Phrase, Rest, Same, SketchArgument, SketchCall
 from app.programs.sketches.things import Thing
 from app.programs.sketches.verbs import place_of
@@ -20,7 +21,10 @@ def named(calls: Sequence[SketchCall], selection: Selection) -> set[str]:
     phrases = [
         phrase
         for place, argument in enumerate(arguments)
-        if place > rest or not _counted(argument)  # Of a set counted off before, others are left.
+        if place > rest
+        or not _counted(
+            argument, selection.sentence
+        )  # Of a set counted off before, others are left.
         for phrase in _phrases(argument)
     ]
     return {
@@ -48,8 +52,9 @@ def goals(
     return found
 
 
-def _counted(argument: SketchArgument) -> bool:
-    return isinstance(argument, Phrase) and argument.count is not None
+def _counted(argument: SketchArgument, sentence: str) -> bool:
+    """Whether only some of what the words mean are asked for."""
+    return isinstance(argument, Phrase) and halved(argument, sentence, 2).count is not None
 
 
 def _phrases(argument: SketchArgument) -> list[Phrase]:

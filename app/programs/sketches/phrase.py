@@ -271,8 +271,8 @@ def _ranking(word: str, read: Description, *, head: bool, alone: bool) -> Descri
 
 
 def _core(found: tuple[str, ...]) -> tuple[str, ...]:
-    if set(found[1:]) <= VAGUE and classes().find(" ".join(found)):
-        return found  # "the doctor's things" are a class of their own.
     while len(found) > 1 and (found[0] in DETERMINERS or found[0].endswith(("'s", "s'"))):
+        if "'" in found[0] and set(found[1:]) <= VAGUE and classes().find(" ".join(found)):
+            break  # "the doctor's things" are a class of their own.
         found = found[1:]
     return found

@@ -146,16 +146,17 @@ class Selection:
         return absent(text, self.things)
 
     def _fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
-        """The things of the words, else of the words before "for" and the like."""
-        found = self._wholly_fitting(phrase, without)
-        shorter = _BESIDE.sub("", phrase.text)
-        if found or shorter == phrase.text or set(words(shorter)) <= VAGUE:
-            return found
-        return self._wholly_fitting(replace(phrase, text=shorter), without)
+        """The things of the words, or of the words before "for" and the like where those tell more."""
+        shorter = replace(phrase, text=_BESIDE.sub("", phrase.text))
+        if shorter == phrase or set(words(shorter.text)) <= VAGUE:
+            return self._wholly_fitting(phrase, without)
+        if find_class(shorter.text) and not find_class(phrase.text):
+            return self._wholly_fitting(shorter, without)
+        return self._wholly_fitting(phrase, without) or self._wholly_fitting(shorter, without)
 
     def _wholly_fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
         phrase = without_history(spoken_of(phrase, self.sentence))
-        phrase = heard(phrase, f"{self.sentence}. {self.asked}", self.possible)
+        phrase = heard(phrase, f"{self.sentence}. {self.asked}", self._fitting)
         phrase = whole_name(phrase, self.sentence, self.things)
         described = describe_phrase(phrase)
         if found := self._referred(described, without):

@@ -132,13 +132,13 @@ def but_some(phrase: Phrase, sentence: str) -> Phrase:
 
 def _how_many_stay(sentence: str) -> re.Match[str] | None:
     """Where the sentence tells the ``number`` of a ``noun`` that is left."""
-    patterns = (_LEFT, _ALL_BUT, _ALL_OF_THEM_BUT, _EVERY_BUT)
+    patterns = (_LEFT, _STAYED, _ALL_BUT, _ALL_OF_THEM_BUT, _EVERY_BUT)
     return next((found for each in patterns if (found := each.search(sentence))), None)
 
 
 def rest_of_kind(sentence: str, selection: Selection) -> Phrase | None:
     """What "the rest" is of, where so many of a kind stay: "leave two brushes out, the rest …"."""
-    match = _LEFT.search(sentence)
+    match = _LEFT.search(sentence) or _STAYED.search(sentence)
     noun = match["noun"] if match else ""
     said = (Phrase(text=each, quantity="all") for each in (noun, noun.partition(" ")[0]) if each)
     return next((each for each in said if selection.possible(each)), None)
@@ -188,6 +188,11 @@ _LEFT = re.compile(
     r".*\b(?:others?|rest|remaining|remainder)\b",
     re.I,
 )
+_STAYED = re.compile(
+    rf"\b(?P<number>{'|'.join(_NUMBERS)})\s+(?P<noun>\w+) (?:can |should |must |is to )?(?:stays?|remains?)\b"
+    r".*\b(?:others?|rest|remaining|remainder)\b",
+    re.I,
+)
 _ALL_BUT = re.compile(
     rf"\b(?:all|every one) (?:but|except|bar) (?P<number>{'|'.join(_NUMBERS)})\s+"
     r"of (?:the|these|those|my|your|our)\s+(?P<noun>\w+(?: \w+)?)\b",
@@ -200,7 +205,8 @@ _ALL_OF_THEM_BUT = re.compile(
     re.I,
 )
 _REST = re.compile(
-    rf"\bthe (?:rest|remainder|others|(?:other|remaining) (?:ones|{'|'.join(_NUMBERS)}))\b", re.I
+    rf"\bthe (?:rest|remainder|others|other half|(?:other|remaining) (?:ones|{'|'.join(_NUMBERS)}))\b",
+    re.I,
 )
 _ALL_ELSE = re.compile(r"\b(?:every|any)thing\b|\ball (?:else|other)\b", re.I)
 _EVERY_BUT = re.compile(

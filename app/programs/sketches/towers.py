@@ -25,6 +25,9 @@ _NEXT_CLAUSE = re.compile(
 )
 """Between two things, where the second belongs to what is said next of a third one."""
 _ON_IT = re.compile(r" (?:on|onto|atop|over)(?: top of)? (?:it|that|this)\b(?! all)", re.I)
+_UNDER = re.compile(
+    r"\b(?:under|underneath|below|beneath|supports|carries)(?: the| a| an| my| that| this)? $", re.I
+)
 _THEN = re.compile(
     r"\b(?:on|onto|atop|above|over)(?: top of)? (?:which|it|that|this)\b(?! all)[^.;,]{0,30}$", re.I
 )
@@ -105,9 +108,14 @@ def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
         between = text[one.end : other.start]
         if one.name == other.name:
             continue
-        if not _NEXT_CLAUSE.search(between) and _ON.search(between):
+        close = not _NEXT_CLAUSE.search(between)
+        if close and _ON.search(between):
             pairs.append((one.name, other.name))
-        elif _ON_IT.match(text[other.end :]) or _THEN.search(between):
+        elif (
+            (close and _UNDER.search(between))
+            or _ON_IT.match(text[other.end :])
+            or _THEN.search(between)
+        ):
             pairs.append((other.name, one.name))
     if len(pairs) < FEWEST - 1 or len({thing for thing, _ in pairs}) < len(pairs):
         return None
