@@ -35,6 +35,7 @@ def _pointed(sentence, **places):
         ("put the cup farthest from the plate in box 1", "put cup 3 in box 1"),
         ("put the two outer cups in box 1", "put cup 1 and cup 3 in box 1"),
         ("put the cups at both ends in box 1", "put cup 1 and cup 3 in box 1"),
+        ("toss the two cups at the far ends into box 1", "toss cup 1 and cup 3 into box 1"),
         ("put the two leftmost cups in box 1", "put cup 1 and cup 2 in box 1"),
         ("put the rightmost two cups in box 1", "put cup 2 and cup 3 in box 1"),
         ("put the two cups on the right side in box 1", "put cup 2 and cup 3 in box 1"),

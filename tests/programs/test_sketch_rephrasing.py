@@ -33,6 +33,7 @@ from app.programs.sketches.rephrasing import rephrased
         ("clear the toys scattered all over the floor into the bag", "clear the toys into the bag"),
         ("give the big case a good shove", "push the big case"),
         ("whatever's both small and purple, toss it", "all the small purple things, toss it"),
+        ("now get the pear into the box", "now get the pear into the box"),
         ("Clothing gets the suitcase.", "put Clothing in the suitcase."),
         ("open up the box, pop the pear inside", "open the box, pop the pear in the box"),
         ("red on blue. The jack stays out of it.", "red on blue."),

@@ -62,7 +62,9 @@ def _told(left_out: str, clause: str) -> str:
 
 def without_excluded(kept: Fits, excluded: Description, fitting: Fitting) -> Fits:
     """Those that the words for the exception do not fit."""
-    phrase = Phrase(text=excluded.text, quantity="all")
+    single = normal(excluded.text) == " ".join(words(excluded.text))
+    ranked = excluded.side or excluded.superlative or excluded.ordinal
+    phrase = Phrase(text=excluded.text, quantity="one" if single and ranked else "all")
     found = fitting(phrase, ())
     out = {thing.name for thing, _ in found}
     if not excluded.vague and max((score for _, score in found), default=0.0) >= UNMARKED:

@@ -71,7 +71,9 @@ SPOKEN_RELATIONS = {
 """Words of which one must stand in a sentence that speaks of the relation."""
 _MADE = r"(?:(?:that (?:is|are) )?made (?:of|from|out of)|of) (?:a |some )?({})(?! \w)"
 _PIECES = re.compile(
-    r"^(?:the |an? )?(?:pieces?|items?|articles?|bits?|kinds?|types?|sorts?) of (?=\w)", re.I
+    r"^(?:the |an? )?(?:pieces?|items?|articles?|bits?|kinds?|types?|sorts?) of (?=\w)|"
+    r"^things? (?=(?!that|it|what|who|there)\w+'s? (?:things?|stuff|gear|kit)$)",
+    re.I,
 )
 _BETWEEN = re.compile(r"\b(?:(?:middle|mid|medium)[- ]sized?|in[- ]between)\b(?= \w)", re.I)
 """Of medium size; "middle" alone is a place."""
@@ -156,9 +158,9 @@ def read_description(text: str) -> Description:
 
 
 def _coloured(text: str) -> str:
-    """Whites are white things; greens are something to eat."""
+    """Whites are white things; greens and oranges are something to eat."""
     colour = text.lower().removesuffix("s")
-    if colour != text.lower() and colour in COLOUR_WORDS and colour != "green":
+    if colour != text.lower() and colour in COLOUR_WORDS and colour not in FRUITY | {"green"}:
         return f"{colour} things"
     return text
 

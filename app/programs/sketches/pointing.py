@@ -35,7 +35,7 @@ _NEAR = re.compile(
 )
 _OUTER = re.compile(
     r"\bthe (?:two )?(?:outer|outermost)(?: two)? (?P<what>\w+)|"
-    r"\bthe (?:two )?(?P<ends>\w+) (?:at|on) (?:the|both|either) (?:ends?|sides)\b(?! of)",
+    r"\bthe (?:two )?(?P<ends>\w+) (?:at|on) (?:the|both|either)(?: two| far| very| outer)? (?:ends?|sides)\b(?! of)",
     re.I,
 )
 _SEVERAL = re.compile(

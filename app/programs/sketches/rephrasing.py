@@ -88,7 +88,7 @@ _BOTH = re.compile(
     re.I,
 )
 _GETS = re.compile(
-    r"(?P<start>^|[.;,] )(?P<what>(?:the )?[\w-]+(?: [\w-]+)?) gets? (?P<where>(?:the|my|a) [\w -]+?)(?=[,.;]|$| and )",
+    r"(?P<start>^|[.;,] )(?P<what>(?:the )?[\w-]+(?: [\w-]+)?) (?:gets|(?<=s )get) (?P<where>(?:the|my|a) [\w -]+?)(?=[,.;]|$| and )",
     re.I,
 )
 _HOLDER = re.compile(

@@ -199,7 +199,7 @@ _ALL_BUT = re.compile(
     re.I,
 )
 _ALL_OF_THEM_BUT = re.compile(
-    r"\b(?:all|all of|every one of) (?:the|these|those|my|your|our)\s+(?P<noun>\w+(?: \w+)?),? "
+    r"\b(?:all|all of|every one of) (?:(?:the|these|those|my|your|our)\s+)?(?P<noun>\w+(?: \w+)?),? "
     rf"(?:but|except|bar|save) (?P<number>{'|'.join(_NUMBERS)})"
     r"(?=\s*(?:[.,;:!?)]|$)|\s+(?:on|onto|in|into|to|from|go|goes|should|can|belongs?)\b)",
     re.I,
