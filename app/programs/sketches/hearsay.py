@@ -24,10 +24,16 @@ _CLAUSE = re.compile(
 _OF_USE = frozenset(("thing", "something", "things", "what", "whatever", "stuff"))
 """Words whose clause tells what a thing is for, rather than what became of it."""
 
+_LINKS = frozenset(("to", "on", "at", "of", "in", "for", "from", "with", "by", "near"))
+"""No clause begins behind one of them: "the tray to your right"."""
+
 
 def without_history(phrase: Phrase) -> Phrase:
     """The phrase without a clause of what became of the thing, or of who likes it."""
     match = _CLAUSE.match(phrase.text)
-    if match is None or match["head"].split()[0] in _OF_USE or not _HISTORY.search(match["clause"]):
+    if match is None or not _HISTORY.search(match["clause"]):
+        return phrase
+    head = match["head"].split()
+    if head[0] in _OF_USE or head[-1] in _LINKS:
         return phrase
     return replace(phrase, text=match["head"])
