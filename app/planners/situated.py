@@ -5,11 +5,14 @@ from app.domain.llm import LanguageModel
 from app.domain.planner import Draft, Report, Task
 from app.llm.meaning import likeness
 from app.planners import planners
+from app.programs.sketches.allotting import allotted
 from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
 from app.programs.sketches.pieces import named_places, pieces
+from app.programs.sketches.pointing import pointed
 from app.programs.sketches.reader import Reader
 from app.programs.sketches.rereading import without_asides
 from app.programs.sketches.retelling import places_used
+from app.programs.sketches.selection import Selection
 from app.programs.sketches.things import read_things
 from app.programs.sketches.wording import plain_english
 
@@ -36,6 +39,8 @@ class Situated:
             Cancelled: ``report`` asked for it.
         """
         sentence = plain_english(task.instruction.text, task.scene.names)
+        selection = Selection(read_things(task.scene.objects), task.facts, sentence)
+        sentence = allotted(pointed(sentence, selection), selection)
         reader = Reader(task, model, report, likeness)
         if task.history and (said := asks_to_undo(task.instruction.text)):
             return reader.draft(reader.transcript(sentence), undo(task, said["what"]), 1.0)

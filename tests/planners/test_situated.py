@@ -47,6 +47,23 @@ def test_the_model_reads_plain_english(task, canned):
     assert "# put the apple in the bowl\n" in model.requests[0].prompt
 
 
+def test_the_model_reads_the_name_of_what_is_told_by_its_place(task, canned):
+    asked = _task(task, "put the cup next to the can in the box", "cup 1", "cup 2", "can", "box")
+    places = ((0.5, 0.2, 0.0), (0.5, -0.2, 0.0), (0.5, -0.1, 0.0), (0.6, 0.0, 0.0))
+    objects = [replace(o, position=p) for o, p in zip(asked.scene.objects, places, strict=True)]
+    asked = replace(asked, scene=replace(asked.scene, objects=tuple(objects)))
+    model = canned("    grab_and_putin('cup 2', 'box')\n")
+    assert "grab_and_putin('cup 2', 'box')" in _plan(asked, model).program
+    assert "# put cup 2 in the box\n" in model.requests[0].prompt
+
+
+def test_the_model_reads_who_gets_what(task, canned):
+    asked = _task(task, "the box and the bowl each get a fig", "fig 1", "fig 2", "box", "bowl")
+    model = canned("    grab_and_putin('fig 1', 'box')\n    grab_and_putin('fig 2', 'bowl')\n")
+    _plan(asked, model)
+    assert "# put fig 1 in the box and fig 2 in the bowl\n" in model.requests[0].prompt
+
+
 def test_a_declined_task_keeps_what_the_model_wrote(task, canned):
     asked = _task(task, "put the pear in the box", "fork", "box")
     with pytest.raises(TaskDeclined) as declined:

@@ -6,6 +6,7 @@ import pytest
 from app.domain.action import ActionSignature, Parameter
 from app.domain.errors import ProgramRefused
 from app.domain.planner import Turn
+from app.programs.sketches.grammar import vocabulary
 from app.programs.sketches.parser import parse_sketch, print_sketch
 from app.programs.sketches.prompt import write_sketch_prompt
 from app.programs.sketches.sketch import (
@@ -146,3 +147,7 @@ def _argument(rng: random.Random) -> SketchArgument:
 
 def _words(rng: random.Random) -> str:
     return "x" + "".join(rng.choice("abc '\"\\\n#é😀,)(") for _ in range(rng.randint(0, 8)))
+
+
+def test_what_ends_like_several_has_no_further_plural() -> None:
+    assert "glasseses" not in vocabulary("put all glasses in the box", ())

@@ -36,3 +36,9 @@ def test_without_anybody_to_judge_nothing_is_found():
     meaning = Meaning(THINGS, "rain; put what i need in the bag", None)
     assert meaning.perhaps(read_description("thing i need"), ()) == []
     assert meaning.plainly(read_description("thing i need"), Phrase(text="thing i need"), ()) == []
+
+
+def test_words_for_a_side_tell_no_use():
+    meaning = Meaning(THINGS, "the bag to your right", lambda text, things: [1.0] * len(things))
+    phrase = Phrase(text="bag to your right")
+    assert meaning.plainly(read_description(phrase.text), phrase, ()) == []

@@ -23,6 +23,10 @@ def told(sentence, *names):
         "the red cube stays; set the green cube on it, then the blue cube on the green cube",
         "start with the red cube, set the green cube on it, then the blue cube on the green cube",
         "a tower: underneath all is the red cube, then the green cube, on top of it all the blue cube",
+        "stack red, blue and green, with green in between and blue on top",
+        "build a tower: the red one first, then the green one, then the blue one",
+        "stack them all so that red ends up at the very bottom and blue at the very top",
+        "the red one goes under the green one, the green one goes under the blue one",
         "the blue cube must lie on the green cube, which itself must lie on the red cube",
     ],
 )
@@ -52,6 +56,7 @@ def test_what_is_only_said_to_be_no_part_is_left_out():
         "stack the red cube on the blue cube",
         "stack the cubes",
         "put the red cube on top of the green cube, then the blue cube on top",
+        "stack the red cube and the blue cube, red at the bottom and blue on top",
         "the red cube on the box and the green cube on the box",
     ],
 )

@@ -83,7 +83,7 @@ class Classes:
         if name is None and rest and len(rest) < len(whole):
             name = self._adjectives.get(normal(" ".join(rest)))
         if name is None:
-            name = self._used_for(whole)
+            name = self._used_for(whole) or self._of_trade(whole)
         return self.named(name) if name else None
 
     def named(self, name: str) -> ThingClass:
@@ -135,6 +135,13 @@ class Classes:
         for key in ("nouns", "perhaps"):
             for noun in _listed(entry, key):
                 self._known.setdefault(noun, set()).add(name)
+
+    def _of_trade(self, whole: tuple[str, ...]) -> str | None:
+        """The class of who does something with it: "what the postman brought" is the postman's."""
+        said = [each for each in whole if each not in DETERMINERS or each in VAGUE]
+        if len(said) != 3 or not (said[0] in VAGUE or said[0] == "what"):
+            return None
+        return self._names.get(normal(f"{said[1]}'s things"))
 
     def _used_for(self, whole: tuple[str, ...]) -> str | None:
         """The class whose use is told in the phrase, the longest one that fits."""

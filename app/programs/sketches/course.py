@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, field
 
+from app.programs.sketches.sketch import Phrase
+
 
 @dataclass(slots=True)
 class Course:
@@ -15,6 +17,8 @@ class Course:
     """Where they were put."""
     named: set[str] = field(default_factory=set)
     """Things that the sketch names anywhere."""
+    counted: Phrase | None = None
+    """The words for the set that so many were last taken of."""
     goals: set[str] = field(default_factory=set)
     """Things that the sketch calls by their names as places."""
     sureness: float = 1.0

@@ -101,6 +101,8 @@ def _forms(word: str) -> tuple[str, ...]:
     if not word.isalpha() or not word.isascii() or len(word) < 3:
         return ()
     single = normal(word)
+    if single == word and re.search(r"[^s]s$", word):
+        return (single,)  # Glasses have no plural of their own.
     plural = f"{single[:-1]}ies" if re.search(r"[^aeiou]y$", single) else f"{single}s"
     return (single, f"{single}es" if re.search(r"(s|x|z|ch|sh)$", single) else plural)
 

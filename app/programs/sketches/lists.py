@@ -24,7 +24,8 @@ _KEEPING = word_list("keeping")
 _BARE = r"(?:(?<=the )|(?<=\ba )|(?<=an )|(?<=my )|(?<=, )|(?<=; )|(?<=: )|(?<=\. )|^)"
 """What stands before a noun that is said without the rest of its name: "can" is more often a verb."""
 
-_INTO = re.compile(r"\b(?:in|into|inside|on|onto|to)(?: the| an?| my| your)? $")
+INTO = re.compile(r"\b(?:in|into|inside|on|onto|to)(?: the| an?| my| your)? $")
+"""What stands before a place that something goes to."""
 
 
 def listed_pairs(sentence: str, things: Sequence[Thing]) -> list[Pair] | None:
@@ -33,7 +34,7 @@ def listed_pairs(sentence: str, things: Sequence[Thing]) -> list[Pair] | None:
     if _KEEPING & set(re.findall(r"[a-z']+", text)):
         return None
     found = _named(text, things)
-    holders = {each.name for each in found if _INTO.search(text[: each.start])}
+    holders = {each.name for each in found if INTO.search(text[: each.start])}
     holders = holders or {thing.name for thing in things if is_container(thing)}
     places = [each.name for each in found if each.name in holders]
     if len(places) < FEWEST or len({each.name for each in found}) < len(found):

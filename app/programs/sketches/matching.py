@@ -76,7 +76,10 @@ def _words_fit(thing: Thing, core: tuple[str, ...]) -> float:
     wanted = normal(" ".join(core))
     if thing.words == core or normal(" ".join(thing.words)) == wanted:
         return SAME_WORDS
-    if thing.unmarked == wanted or _without_numbers(core) == thing.words:
+    if (
+        thing.unmarked in (wanted, wanted.removesuffix("es"))
+        or _without_numbers(core) == thing.words
+    ):
         return UNMARKED
     if all(each in VAGUE for each in core):
         return 0.0

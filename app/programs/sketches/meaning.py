@@ -160,6 +160,6 @@ class Meaning:
 def is_clause(described: Description) -> bool:
     """Whether the words tell what a thing is for, and do not name it."""
     said = words(described.text)
-    told = described.materials or described.colours or described.relations
+    told = described.materials or described.colours or described.relations or described.side
     begun = {each.partition("'")[0] for each in said[1:]}
     return len(said) > 2 and not told and bool(_CLAUSE_WORDS & begun)

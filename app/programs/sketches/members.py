@@ -1,6 +1,7 @@
 """An argument that stands for several objects → its members, and the places they are shared out among."""
 
 import re
+from dataclasses import replace
 
 from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import Argument
@@ -8,10 +9,20 @@ from app.programs.knowledge.classes import normal
 from app.programs.knowledge.names import words
 from app.programs.sketches.arguments import Arguments
 from app.programs.sketches.course import Course
+from app.programs.sketches.heights import piled
 from app.programs.sketches.phrase import describe_phrase
 from app.programs.sketches.qualities import ordered
 from app.programs.sketches.selection import Selection
-from app.programs.sketches.sets import but_some, halved, left_over, movable, staying
+from app.programs.sketches.sets import (
+    but_some,
+    halved,
+    left_over,
+    movable,
+    really_said,
+    rest_of_kind,
+    speaks_of_rest,
+    staying,
+)
 from app.programs.sketches.sketch import Each, Phrase, Rest, Same, SketchArgument
 from app.programs.sketches.things import Thing, listed
 
@@ -51,6 +62,8 @@ class Members:
         affordance: str | None,
     ) -> list[Thing]:
         if isinstance(argument, Rest):
+            argument = rest_of_kind(self._selection.sentence, self._selection) or argument
+        if isinstance(argument, Rest):
             free = [
                 t
                 for t in self._selection.things
@@ -62,6 +75,7 @@ class Members:
             return found
         if not isinstance(argument, Phrase):
             raise ProgramRefused(Fault(field="program", message="a set is wanted"))
+        argument = really_said(argument, self._selection.sentence, self._selection.things)
         avoid = avoid | staying(self._selection.things, self._selection.asked)
         argument = but_some(argument, self._selection.sentence)
         places = avoid | self._course.goals
@@ -73,7 +87,7 @@ class Members:
         told = described.colours or described.materials or described.sizes
         if described.vague and (not told or self._arguments.elliptic(argument)):
             found = movable(found, self._selection)
-        found = ordered(found, argument.order)
+        found = ordered(found, piled(argument.order, self._selection.sentence))
         argument = halved(argument, self._selection.sentence, len(found))
         argument = left_over(argument, self._selection.sentence, len(found))
         if argument.count is not None:
@@ -83,7 +97,15 @@ class Members:
         return found
 
     def _others_said(self, free: list[Thing]) -> list[Thing]:
-        """Those of the kind that is told: of "the other marker" no pen."""
+        """Those of the kind that is told: of "the other marker" no pen.
+
+        Of "two blocks here, the rest there" it is the kind that was counted.
+        """
+        counted = self._course.counted
+        if counted and speaks_of_rest(self._selection.sentence):
+            phrase = replace(counted, count=None)
+            alike = self._selection.all(phrase).things if self._selection.possible(phrase) else ()
+            free = [thing for thing in free if thing in alike] or free
         match = re.search(r"\bthe other (\w+)", self._selection.sentence, re.I)
         said = normal(match[1]) if match else ""
         return [thing for thing in free if said in map(normal, thing.words)] or free
@@ -93,6 +115,7 @@ class Members:
     ) -> list[Thing]:
         """So many of them, those first that nothing was done with yet."""
         count = phrase.count or 0
+        self._course.counted = phrase
         there = {str(each) for each in fixed.values()}
         fresh = [
             thing

@@ -6,6 +6,7 @@ from dataclasses import replace
 from app.domain.action import ActionSignature
 from app.programs.knowledge.names import plain
 from app.programs.sketches.selection import Selection
+from app.programs.sketches.sets import halved
 from app.programs.sketches.sketch import Each, Phrase, Rest, Same, SketchArgument, SketchCall
 from app.programs.sketches.things import Thing
 from app.programs.sketches.verbs import place_of
@@ -16,7 +17,16 @@ def named(calls: Sequence[SketchCall], selection: Selection) -> set[str]:
     arguments = [each for call in calls for each in call.arguments]
     if not any(isinstance(each, Rest) for each in arguments):
         return set()
-    phrases = [phrase for argument in arguments for phrase in _phrases(argument)]
+    rest = next(i for i, each in enumerate(arguments) if isinstance(each, Rest))
+    phrases = [
+        phrase
+        for place, argument in enumerate(arguments)
+        if place > rest
+        or not _counted(
+            argument, selection.sentence
+        )  # Of a set counted off before, others are left.
+        for phrase in _phrases(argument)
+    ]
     return {
         thing.name
         for phrase in phrases
@@ -40,6 +50,11 @@ def goals(
         if isinstance(target, Phrase) and (name := names.get(plain(target.text))):
             found.add(name)
     return found
+
+
+def _counted(argument: SketchArgument, sentence: str) -> bool:
+    """Whether only some of what the words mean are asked for."""
+    return isinstance(argument, Phrase) and halved(argument, sentence, 2).count is not None
 
 
 def _phrases(argument: SketchArgument) -> list[Phrase]:

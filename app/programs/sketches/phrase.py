@@ -3,7 +3,7 @@
 import re
 from dataclasses import dataclass, field, replace
 
-from app.programs.knowledge.classes import VAGUE
+from app.programs.knowledge.classes import VAGUE, classes
 from app.programs.knowledge.names import DETERMINERS, words
 from app.programs.knowledge.properties import (
     COLOUR_WORDS,
@@ -33,6 +33,8 @@ SIDES = {
     "upper": "top",
     "lower": "bottom",
 }
+_OF_SIDE = ("the", "hand", "side", "end", "far", "very")
+"""Words that a side is told with: "on the far right-hand side"."""
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "last": -1}
 _TAILS = (
     (
@@ -69,7 +71,9 @@ SPOKEN_RELATIONS = {
 """Words of which one must stand in a sentence that speaks of the relation."""
 _MADE = r"(?:(?:that (?:is|are) )?made (?:of|from|out of)|of) (?:a |some )?({})(?! \w)"
 _PIECES = re.compile(
-    r"^(?:the |an? )?(?:pieces?|items?|articles?|bits?|kinds?|types?|sorts?) of (?=\w)", re.I
+    r"^(?:the |an? )?(?:pieces?|items?|articles?|bits?|kinds?|types?|sorts?) of (?=\w)|"
+    r"^things? (?=(?!that|it|what|who|there)\w+'s? (?:things?|stuff|gear|kit)$)",
+    re.I,
 )
 _BETWEEN = re.compile(r"\b(?:(?:middle|mid|medium)[- ]sized?|in[- ]between)\b(?= \w)", re.I)
 """Of medium size; "middle" alone is a place."""
@@ -118,7 +122,7 @@ def describe_phrase(phrase: Phrase) -> Description:
             ordinal=inner.ordinal or found.ordinal,
         )
     for key, other in phrase.relations:
-        side = SIDES.get(" ".join(words(other)).removeprefix("the "))
+        side = SIDES.get(" ".join(each for each in words(other) if each not in _OF_SIDE))
         if side:  # "on the left" is no thing that something stands on.
             found = replace(found, side=side)
         else:
@@ -154,9 +158,9 @@ def read_description(text: str) -> Description:
 
 
 def _coloured(text: str) -> str:
-    """Whites are white things; greens are something to eat."""
+    """Whites are white things; greens and oranges are something to eat."""
     colour = text.lower().removesuffix("s")
-    if colour != text.lower() and colour in COLOUR_WORDS and colour != "green":
+    if colour != text.lower() and colour in COLOUR_WORDS and colour not in FRUITY | {"green"}:
         return f"{colour} things"
     return text
 
@@ -270,5 +274,7 @@ def _ranking(word: str, read: Description, *, head: bool, alone: bool) -> Descri
 
 def _core(found: tuple[str, ...]) -> tuple[str, ...]:
     while len(found) > 1 and (found[0] in DETERMINERS or found[0].endswith(("'s", "s'"))):
+        if "'" in found[0] and set(found[1:]) <= VAGUE and classes().find(" ".join(found)):
+            break  # "the doctor's things" are a class of their own.
         found = found[1:]
     return found

@@ -9,12 +9,12 @@ from collections.abc import Collection, Sequence
 from itertools import pairwise
 
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.lists import INTO
 from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
 from app.programs.sketches.towers import Mention, mentions
 
 _CUT = re.compile(r"[,;.!](?=\s)|\s(?=(?:and|but|while|whereas) )")
-_PLACED = re.compile(r"\b(?:in|into|inside|on|onto|to|for)(?: the| an?| my| your)? $")
 _KEEPING = word_list("keeping")
 _POINTING = frozenset(("it", "them", "they", "there", "same", "too", "ditto", "both", "ones"))
 """Words that a piece alone does not explain."""
@@ -42,7 +42,7 @@ def pieces(sentence: str, things: Sequence[Thing], used: Collection[str]) -> lis
         between = [match.start() for match in _CUT.finditer(text, one.end, other.start)]
         if not between:
             return None
-        cuts.append(between[0] if _PLACED.search(text[: one.start]) else between[-1])
+        cuts.append(between[0] if INTO.search(text[: one.start]) else between[-1])
     ends = [0, *cuts, len(text)]
     found = [text[a:b].strip(" ,;.!") for a, b in pairwise(ends)]
     found = [re.sub(r"^(?:and|but|while|whereas) ", "", each) for each in found]

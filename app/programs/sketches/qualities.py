@@ -75,7 +75,8 @@ def extreme(kept: Fits, described: Description, many: bool) -> Fits:
     if many:
         middle = (stands(ordered[0][0])[axis] + stands(ordered[-1][0])[axis]) / 2
         up = side in ("left", "far")
-        return [pair for pair in placed if (stands(pair[0])[axis] > middle) == up]
+        sign = 1 if up else -1
+        return [pair for pair in placed if sign * (stands(pair[0])[axis] - middle) > 0]
     return [ordered[-1 if side in ("left", "far") else 0]]
 
 

@@ -72,6 +72,8 @@ def refuse_beside(call: SketchCall, sentence: str) -> None:
     texts = {each.text for each in phrases}
     for phrase in phrases:
         for key, other in spoken_of(phrase, sentence).relations:
+            if len(re.findall(rf"\b{re.escape(other)}\b", sentence, re.I)) > 1:
+                continue  # "the block left of the bowl in the bowl" tells the place besides.
             if other in texts - {phrase.text} and key in BESIDE and key not in call.action:
                 raise TaskDeclined(
                     f"{call.action} puts things in or on {other}, not {key.replace('_', ' ')} it",

@@ -88,13 +88,26 @@ _BOTH = re.compile(
     re.I,
 )
 _GETS = re.compile(
-    r"(?P<start>^|[.;,] )(?P<what>(?:the )?[\w-]+(?: [\w-]+)?) gets? (?P<where>(?:the|my|a) [\w -]+?)(?=[,.;]|$| and )",
+    r"(?P<start>^|[.;,] )(?P<what>(?:the )?[\w-]+(?: [\w-]+)?) (?:gets|(?<=s )get) (?P<where>(?:the|my|a) [\w -]+?)(?=[,.;]|$| and )",
     re.I,
 )
 _HOLDER = re.compile(
     r"(?:box|bin|crate|basket|tray|bowl|bag|drawer|tin|jar|rack|shelf|bucket|case|cup)$", re.I
 )
 _SIDE = re.compile(r"\b(left|right)[- ]hand side\b", re.I)
+_SIDE_OF_ALL = re.compile(
+    r"\b((?:left|right)(?:[- ]hand)?(?: side| end)?|middle|cent(?:re|er)) of "
+    r"(?:the|my|your|this) (?:table|tabletop|desk|counter|worktop|bench|workbench|row|line|scene)\b"
+    r"(?=,? (?:in|on|into|onto|inside|goes?|belongs?|should|must|can|needs?)\b)",
+    re.I,
+)
+"""A side of what everything stands on is a side, and no thing."""
+_LYING = re.compile(
+    r",? (?:that(?:'s| is| are)?|which (?:is|are) )?\s*(?:just )?(?:lying|scattered|strewn|sitting|standing|left|spread|littered)"
+    r" (?:about|around|everywhere|all over(?: the (?:place|table|floor))?|here and there)\b",
+    re.I,
+)
+"""Things that lie about are things."""
 _HASTE = re.compile(
     r",? (?:and )?(?:be )?(?:as )?(?:quick|quickly|fast|soon) as (?:you can|possible)\b", re.I
 )
@@ -122,8 +135,9 @@ _WHOLE = re.compile(r"\b(?:every\w*|all|rest|any\w*|others?|remaining|each|whole
 
 def rephrased(sentence: str) -> str:
     """The English sentence without corrections, gifts of a push, and introductions."""
-    text = _HASTE.sub("", _SIDE.sub(r"\1", _HANDS_OFF.sub("leave", sentence)))
-    text = _CORRECTION.sub(r"\1 ", text)
+    text = _HASTE.sub("", _HANDS_OFF.sub("leave", sentence))
+    text = _LYING.sub("", text)
+    text = _CORRECTION.sub(r"\1 ", _SIDE.sub(r"\1", _SIDE_OF_ALL.sub(r"\1", text)))
     text = _GIVEN.sub(lambda found: f"{_deed(found['deed'])} {found['what']}", text)
     text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
     text = _BAR.sub(" except ", _ONLY.sub("", _ASIDE.sub("", text)))

@@ -6,11 +6,14 @@ from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import UNREAL, normal
+from app.programs.knowledge.classes import UNREAL, VAGUE, belonging
 from app.programs.knowledge.languages import in_english
-from app.programs.knowledge.names import is_mark, plain, words
+from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.choosing import likeliest
 from app.programs.sketches.declared import as_declared
+from app.programs.sketches.excluding import heard, without_excluded
+from app.programs.sketches.hearsay import without_history
 from app.programs.sketches.matching import (
     COUNTS,
     EXACT,
@@ -24,24 +27,24 @@ from app.programs.sketches.matching import (
 from app.programs.sketches.meaning import Judge, Meaning
 from app.programs.sketches.phrase import Description, describe_phrase, spoken_of
 from app.programs.sketches.qualities import (
-    AXES,
     Fits,
     affording,
-    distance,
     extreme,
     has_properties,
     is_called,
-    is_container,
-    is_placed,
     sized,
-    stands,
 )
 from app.programs.sketches.questions import absent, ambiguous
+from app.programs.sketches.relating import origin, related
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import LIKELY, UNKNOWN, Thing
+from app.programs.sketches.whole_names import bare, whole_name, without_verb
 
 _REAL = frozenset(("real", "actual", "genuine", "proper", "true"))
-_MODALS = frozenset(("can", "could", "will", "would", "should", "must", "may", "goes", "go", "is"))
+_BESIDE = re.compile(
+    r"(?<=\w) (?:for|from|about|at|with) (?:the|my|your|our|his|her|a|an|this) .+$", re.I
+)
+"""What is told of a thing besides what it is: "the food for the picnic"."""
 PRONOUNS = word_list("pronouns")
 _INDEFINITE = (
     r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
@@ -98,21 +101,9 @@ class Selection:
         found = affording(self._fitting(phrase, without), affordance)
         if not found:
             raise self.absent(phrase.text)
-        best = max(score for _, score in found)
-        if holds and best < HEAD - 0.02:
-            found = [p for p in found if is_container(p[0])] or self._named_after(phrase) or found
-            best = max(score for _, score in found)
-        equal = [thing for thing, score in found if score >= best - 0.015]
-        if len(equal) > 1 and holds:
-            equal = [thing for thing in equal if is_container(thing)] or equal
-        equal = self._twins(equal, phrase, found, best)
-        if len(equal) > 1 and "other" in words(self.sentence):
-            equal = [t for t in equal if t.name not in self.spoken] or equal
-        if len(equal) > 1 and not UNREAL & set(words(phrase.text)):
-            equal = [t for t in equal if not UNREAL & set(t.words)] or equal
-        if len(equal) > 1:
-            whole = [t for t in equal if len(t.words) > 1 and plain(t.name) in plain(self.sentence)]
-            equal = whole if len(whole) == 1 else equal
+        equal, best = likeliest(
+            found, phrase, self.things, sentence=self.sentence, spoken=self.spoken, holds=holds
+        )
         if len(equal) > 1 and not self.indefinite(phrase.text):
             raise ambiguous(phrase.text, equal, self.asked)
         return Found((equal[0],), best)
@@ -136,12 +127,6 @@ class Selection:
         kept = tuple(thing for thing, score in found if score >= least)
         return Found(kept, best)
 
-    def _named_after(self, phrase: Phrase) -> Fits:
-        """The one container that has the words in its name: "with the paper" is the paper bin."""
-        said = set(describe_phrase(phrase).core)
-        named = [t for t in self.things if said <= set(t.words) and is_container(t)]
-        return [(named[0], COUNTS)] if said and len(named) == 1 else []
-
     def possible(self, phrase: Phrase, without: Collection[str] = ()) -> bool:
         """Whether anything fits at all."""
         return bool(self._fitting(phrase, without))
@@ -160,33 +145,19 @@ class Selection:
         """Nothing in the scene fits."""
         return absent(text, self.things)
 
-    def _twins(
-        self,
-        equal: list[Thing],
-        phrase: Phrase,
-        found: Sequence[tuple[Thing, float]],
-        best: float,
-    ) -> list[Thing]:
-        """With the look-alikes of the one called exactly so: "cup" where there is a "cup 2"."""
-        if len(equal) != 1 or not best > 0.97 or is_mark(equal[0].words[-1]):
-            return equal
-        if describe_phrase(phrase).side or describe_phrase(phrase).ordinal:
-            return equal
-        return [
-            thing
-            for thing, _ in found
-            if thing is equal[0]
-            or (
-                len(thing.words) == len(equal[0].words) + 1
-                and thing.words[:-1] == equal[0].words
-                and thing.words[-1].isdigit()
-                and thing.name.lower()
-                == f"{equal[0].name.lower()}{thing.name[len(equal[0].name)]}{thing.words[-1]}"
-            )
-        ]
-
     def _fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
-        phrase = self._whole(spoken_of(phrase, self.sentence))
+        """The things of the words, or of the words before "for" and the like where those tell more."""
+        shorter = replace(phrase, text=_BESIDE.sub("", phrase.text))
+        if shorter == phrase or set(words(shorter.text)) <= VAGUE:
+            return self._wholly_fitting(phrase, without)
+        if find_class(shorter.text) and not find_class(phrase.text):
+            return self._wholly_fitting(shorter, without)
+        return self._wholly_fitting(phrase, without) or self._wholly_fitting(shorter, without)
+
+    def _wholly_fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
+        phrase = without_history(spoken_of(phrase, self.sentence))
+        phrase = heard(phrase, f"{self.sentence}. {self.asked}", self._fitting)
+        phrase = whole_name(phrase, self.sentence, self.things)
         described = describe_phrase(phrase)
         if found := self._referred(described, without):
             return found
@@ -230,29 +201,6 @@ class Selection:
         if described.vague and phrase.quantity == "one" and self.earlier:
             return self._alike(found) or found
         return as_declared(found, described)
-
-    def _whole(self, phrase: Phrase) -> Phrase:
-        """The whole name where the phrase stands only as a part of it: "desk" of the desk tidy."""
-        phrase = self._without_verb(phrase)
-        said = plain(self.sentence)
-        text = plain(phrase.text)
-        longer = [
-            name
-            for thing in self.things
-            if (name := plain(thing.name)) in said
-            and (name.startswith(f"{text} ") or name.endswith(f" {text}"))
-        ]
-        alone = len(longer) == 1 and text not in said.replace(longer[0], "")
-        return replace(phrase, text=longer[0]) if alone else phrase
-
-    def _without_verb(self, phrase: Phrase) -> Phrase:
-        """Without the verb that follows a name in the sentence: "the vase can"."""
-        found = words(phrase.text)
-        if len(found) < 2 or found[-1] not in _MODALS:
-            return phrase
-        if any(found[-1] in thing.words for thing in self.things):
-            return phrase
-        return replace(phrase, text=" ".join(found[:-1]))
 
     def _named(self, phrase: Phrase, without: Collection[str]) -> Fits:
         described = describe_phrase(phrase)
@@ -307,62 +255,29 @@ class Selection:
             kept = [(t, s * p) for t, s in found if (p := has_properties(t, described)) >= UNKNOWN]
         if described.sizes:
             kept = sized(kept, described, many)
-        for key, other in described.relations:
-            kept = self._related(kept, key, other, many=many)
+        kept = self._standing_so(kept, described, many)
         if _REAL & set(described.whole):
             kept = [(t, s) for t, s in kept if not UNREAL & set(t.words)]
         for excluded in described.excluded:
-            kept = self._excluding(kept, excluded)
+            kept = without_excluded(kept, excluded, self._fitting)
         if described.side or described.superlative or described.ordinal:
             kept = extreme(kept, described, many)
         return kept
 
-    def _excluding(self, kept: Fits, excluded: Description) -> Fits:
-        phrase = Phrase(text=excluded.text, quantity="all")
-        out = {thing.name for thing, _ in self._fitting(phrase, ())}
-        if not excluded.vague:
-            names = [t.name for t, _ in self._fitting(phrase, ()) if _ >= SETS]
-            out = set(names) or out
-        if not out:
-            use = Phrase(text=f"things you can {excluded.text}", quantity="all")
-            out = {thing.name for thing, _ in self._fitting(use, ())}
-        if not out & {thing.name for thing, _ in kept}:
-            said = {normal(each) for each in excluded.core}
-            out = {t.name for t, _ in kept if said and said <= {normal(w) for w in t.words}}
-        return [(thing, score) for thing, score in kept if thing.name not in out]
+    def _standing_so(self, kept: Fits, described: Description, many: bool) -> Fits:
+        """Those that stand, or come from, where the phrase says."""
+        for key, other in described.relations:
+            if key == "inside" and (kind := origin(described, other, self.things)):
+                kept = [(t, s) for t, s in kept if belonging(t.name, kind) >= COUNTS]
+                continue
+            anchors = self._fitting(without_verb(Phrase(text=bare(other)), self.things), ())
+            kept = related(kept, key, anchors, self.rests, many=many)
+        return kept
 
     def _stands_somewhere(self, described: Description) -> bool:
         """Whether it is told by another thing of the scene."""
         return any(self._fitting(Phrase(text=other), ()) for _, other in described.relations)
 
-    def _related(self, kept: Fits, key: str, other: str, *, many: bool) -> Fits:
-        """Those that stand so to the other thing."""
-        anchors = self._fitting(self._without_verb(Phrase(text=_bare(other))), ())
-        best = max((score for _, score in anchors), default=0.0)
-        anchors = [pair for pair in anchors if pair[1] >= best - 0.015]
-        if len(anchors) != 1:
-            return kept
-        anchor = anchors[0][0]
-        kept = [pair for pair in kept if pair[0] is not anchor]
-        if key in ("inside", "on"):
-            return [pair for pair in kept if self.rests(pair[0].name, anchor.name)] or kept
-        here = stands(anchor)
-        placed = [(t, s) for t, s in kept if is_placed(t)]
-        if not is_placed(anchor) or not placed:
-            return kept
-        if key == "near":
-            return [min(placed, key=lambda pair: distance(pair[0], here))]
-        axis, sign = AXES[key]
-        beyond = [(t, s) for t, s in placed if sign * (stands(t)[axis] - here[axis]) > 0.005]
-        if many or len(beyond) < 2:
-            return beyond
-        return [min(beyond, key=lambda pair: distance(pair[0], here))]
-
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""
         return any(Relation(key, (name, place)) in self.facts for key in ("in", "on"))
-
-
-def _bare(text: str) -> str:
-    found = words(text)
-    return text if not found else re.sub(r"^(?:the|a|an|my|your)\s+", "", text, flags=re.I)

@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from app.programs.knowledge.classes import belonging, classes, normal
+from app.programs.knowledge.classes import VAGUE, belonging, classes, normal
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.qualities import is_container
@@ -22,6 +22,20 @@ _SERVING = ("bowl", "plate", "dish", "platter")
 def is_plural(phrase: Phrase) -> bool:
     found = words(phrase.text)
     return phrase.quantity == "one" and bool(found) and normal(found[-1]) != found[-1]
+
+
+def really_said(phrase: Phrase, sentence: str, things: Sequence[Thing]) -> Phrase:
+    """With the word for all of a kind that the sentence says, where the sketch has no more than "things"."""
+    said = words(sentence)
+    named = {word for thing in things for word in thing.words}
+    kinds = {each for each in said if each in COLLECTIVE - VAGUE - named}
+    vague = set(words(phrase.text)) <= VAGUE and phrase.quantity == "all" and not phrase.relations
+    if not vague or len(kinds) != 1 or set(said) & (VAGUE | _EVERYTHING):
+        return phrase
+    return replace(phrase, text=kinds.pop())
+
+
+_EVERYTHING = frozenset(("all", "whatever", "what", "it", "them", "lot", "both", "every", "each"))
 
 
 def movable(found: Sequence[Thing], selection: Selection) -> list[Thing]:
@@ -66,10 +80,13 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
         re.I,
     ):
         return replace(phrase, count=None)
+    spoken = r"\s+".join(map(re.escape, phrase.text.split()))
+    if re.search(rf"\ball (?:of )?(?:the |my |your |these |those )?{spoken}\b", sentence, re.I):
+        # The number is of something else: "all the eggs, one in each cup".
+        phrase = replace(phrase, count=None if phrase.count == 1 else phrase.count)
     if phrase.count is not None and not re.search(r"\bof the \w+ ", sentence, re.I):
         return phrase
-    spoken = r"\s+".join(map(re.escape, phrase.text.split()))
-    pattern = rf"(?<!every )(?<!each )\b({'|'.join(_NUMBERS)})\s+(?:of\s+(?:the|these|those|my|your)\s+(?:(?:{'|'.join(_NUMBERS)})\s+)?)?{spoken}\b"
+    pattern = rf"(?<!every )(?<!each )\b({'|'.join(_NUMBERS)})\s+(?:(?:out )?of\s+(?:the|these|those|my|your)\s+(?:(?:{'|'.join(_NUMBERS)})\s+)?)?{spoken}\b"
     said = {_NUMBERS[each.lower()] for each in re.findall(pattern, sentence, re.I)}
     return replace(phrase, count=said.pop()) if len(said) == 1 else phrase
 
@@ -115,8 +132,21 @@ def but_some(phrase: Phrase, sentence: str) -> Phrase:
 
 def _how_many_stay(sentence: str) -> re.Match[str] | None:
     """Where the sentence tells the ``number`` of a ``noun`` that is left."""
-    patterns = (_LEFT, _ALL_BUT, _ALL_OF_THEM_BUT)
+    patterns = (_LEFT, _STAYED, _ALL_BUT, _ALL_OF_THEM_BUT, _EVERY_BUT)
     return next((found for each in patterns if (found := each.search(sentence))), None)
+
+
+def rest_of_kind(sentence: str, selection: Selection) -> Phrase | None:
+    """What "the rest" is of, where so many of a kind stay: "leave two brushes out, the rest …"."""
+    match = _LEFT.search(sentence) or _STAYED.search(sentence)
+    noun = match["noun"] if match else ""
+    said = (Phrase(text=each, quantity="all") for each in (noun, noun.partition(" ")[0]) if each)
+    return next((each for each in said if selection.possible(each)), None)
+
+
+def speaks_of_rest(sentence: str) -> bool:
+    """Whether "the rest" stands there for those of a kind that were not counted off."""
+    return bool(_REST.search(sentence)) and not _ALL_ELSE.search(sentence)
 
 
 def stays(text: str, sentence: str) -> bool:
@@ -158,15 +188,30 @@ _LEFT = re.compile(
     r".*\b(?:others?|rest|remaining|remainder)\b",
     re.I,
 )
+_STAYED = re.compile(
+    rf"\b(?P<number>{'|'.join(_NUMBERS)})\s+(?P<noun>\w+) (?:can |should |must |is to )?(?:stays?|remains?)\b"
+    r".*\b(?:others?|rest|remaining|remainder)\b",
+    re.I,
+)
 _ALL_BUT = re.compile(
     rf"\b(?:all|every one) (?:but|except|bar) (?P<number>{'|'.join(_NUMBERS)})\s+"
     r"of (?:the|these|those|my|your|our)\s+(?P<noun>\w+(?: \w+)?)\b",
     re.I,
 )
 _ALL_OF_THEM_BUT = re.compile(
-    r"\b(?:all|all of|every one of) (?:the|these|those|my|your|our)\s+(?P<noun>\w+(?: \w+)?),? "
+    r"\b(?:all|all of|every one of) (?:(?:the|these|those|my|your|our)\s+)?(?P<noun>\w+(?: \w+)?),? "
     rf"(?:but|except|bar|save) (?P<number>{'|'.join(_NUMBERS)})"
     r"(?=\s*(?:[.,;:!?)]|$)|\s+(?:on|onto|in|into|to|from|go|goes|should|can|belongs?)\b)",
+    re.I,
+)
+_REST = re.compile(
+    rf"\bthe (?:rest|remainder|others|other half|(?:other|remaining) (?:ones|{'|'.join(_NUMBERS)}))\b",
+    re.I,
+)
+_ALL_ELSE = re.compile(r"\b(?:every|any)thing\b|\ball (?:else|other)\b", re.I)
+_EVERY_BUT = re.compile(
+    rf"\bevery (?P<noun>\w+),? (?:but|except|bar|save) (?P<number>{'|'.join(_NUMBERS)})"
+    r"(?=\s*(?:[.,;:!?)]|$)|\s+(?:on|onto|in|into|to|from|goes|should|can|belongs)\b)",
     re.I,
 )
 _STAYING = (

@@ -25,6 +25,9 @@ _NEXT_CLAUSE = re.compile(
 )
 """Between two things, where the second belongs to what is said next of a third one."""
 _ON_IT = re.compile(r" (?:on|onto|atop|over)(?: top of)? (?:it|that|this)\b(?! all)", re.I)
+_UNDER = re.compile(
+    r"\b(?:under|underneath|below|beneath|supports|carries)(?: the| a| an| my| that| this)? $", re.I
+)
 _THEN = re.compile(
     r"\b(?:on|onto|atop|above|over)(?: top of)? (?:which|it|that|this)\b(?! all)[^.;,]{0,30}$", re.I
 )
@@ -34,6 +37,16 @@ _DOWN = re.compile(r"top to bottom|from the top\b|top down|from above|downwards"
 _UP = re.compile(r"bottom to top|bottom up|from the bottom|ground up|upwards", re.I)
 _LOWEST = re.compile(
     r"\b(?:bottom|lowest|base|below|undermost|underneath|foundation|floor of|foot of)\b",
+    re.I,
+)
+_MIDDLE = re.compile(r"\b(?:in[- ]between|between|in the (?:middle|cent(?:re|er)))\b", re.I)
+_IN_TURN = re.compile(
+    r"\b(?:stack|pile|heap|build|tower|burger|sandwich)\b.*\b(?:then|next|last|finally)\b", re.I
+)
+"""A tower that is told piece by piece is told from below."""
+_ALL_OF_THEM = re.compile(
+    r"\b(?:them|everything|(?:all|the) (?:(?:the|of the|three|four|five|six) )?"
+    r"(?:blocks|cubes|bricks|\w+s))\b",
     re.I,
 )
 _HIGHEST = re.compile(
@@ -64,7 +77,7 @@ def tower(sentence: str, things: Sequence[Thing]) -> list[Pair] | None:
     text = " ".join(sentence.lower().split())
     found = [m for m in mentions(sentence, things) if not _NOT_OF_IT.match(text[m.end :])]
     told = _by_relation(sentence, found)
-    return told or (_by_place(sentence, found) if _PILING.search(sentence) else None)
+    return told or (_by_place(sentence, found, things) if _PILING.search(sentence) else None)
 
 
 def mentions(sentence: str, things: Sequence[Thing]) -> list[Mention]:
@@ -95,9 +108,14 @@ def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
         between = text[one.end : other.start]
         if one.name == other.name:
             continue
-        if not _NEXT_CLAUSE.search(between) and _ON.search(between):
+        close = not _NEXT_CLAUSE.search(between)
+        if close and _ON.search(between):
             pairs.append((one.name, other.name))
-        elif _ON_IT.match(text[other.end :]) or _THEN.search(between):
+        elif (
+            (close and _UNDER.search(between))
+            or _ON_IT.match(text[other.end :])
+            or _THEN.search(between)
+        ):
             pairs.append((other.name, one.name))
     if len(pairs) < FEWEST - 1 or len({thing for thing, _ in pairs}) < len(pairs):
         return None
@@ -123,12 +141,26 @@ def _lowest_first(pairs: list[Pair]) -> list[Pair] | None:
     return ordered if len(ordered) == len(pairs) else None
 
 
-def _by_place(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
+def _unsaid(text: str, found: Sequence[Mention], things: Sequence[Thing]) -> list[Mention]:
+    """The others of "them all", where only the lowest and the highest are told by name."""
+    names = {each.name for each in found}
+    ends = _marked(text, found, _LOWEST), _marked(text, found, _HIGHEST)
+    if names != set(ends) or len(names) != 2 or not _ALL_OF_THEM.search(text):
+        return []
+    kinds = {thing.core[-1] for thing in things if thing.name in names and thing.core}
+    alike = [t.name for t in things if t.core and t.core[-1] in kinds and t.name not in names]
+    return [Mention(len(text), len(text), name) for name in alike] if len(kinds) == 1 else []
+
+
+def _by_place(
+    sentence: str, found: Sequence[Mention], things: Sequence[Thing]
+) -> list[Pair] | None:
     """A list, and words for its ends: "red at the bottom, then blue, green on top"."""
     text = " ".join(sentence.lower().split())
     base = next((m for m in found if _START.search(text[: m.start])), None) or next(
         (m for m in found if _ON.search(text[: m.start]) and _is_place(m, text)), None
     )
+    found = [*found, *_unsaid(text, found, things)]
     listed = text.find(":", next((m.start() for m in _PILING.finditer(text)), 0))
     found = [m for m in found if m is base or m.start > listed]
     pieces = list(dict.fromkeys(m.name for m in found if m is not base))
@@ -161,14 +193,27 @@ def _ordered(text: str, found: Sequence[Mention], pieces: list[str]) -> list[str
         return pieces
     lowest = _marked(text, found, _LOWEST)
     highest = _marked(text, found, _HIGHEST)
+    if len(pieces) == FEWEST and (
+        three := _three(pieces, lowest, _marked(text, found, _MIDDLE), highest)
+    ):
+        return three
     if lowest not in pieces and highest not in pieces:
-        return None
+        return pieces if _IN_TURN.search(text) and lowest is highest is None else None
     if lowest in pieces and highest in pieces and lowest != highest:
         inner = [each for each in pieces if each not in (lowest, highest)]
         return [lowest, *(inner if _before(pieces, lowest, highest) else inner[::-1]), highest]
     if lowest in pieces:
         return pieces if pieces[0] == lowest else pieces[::-1] if pieces[-1] == lowest else None
     return pieces if pieces[-1] == highest else pieces[::-1] if pieces[0] == highest else None
+
+
+def _three(pieces: Sequence[str], *marked: str | None) -> list[str] | None:
+    """Lowest, middle and highest, where two of them tell the third."""
+    told = [each if each in pieces else None for each in marked]
+    if told.count(None) > 1 or len(set(told)) < len(told):
+        return None
+    left = next((each for each in pieces if each not in told), "")
+    return [each or left for each in told]
 
 
 def _before(pieces: list[str], one: str, other: str) -> bool:

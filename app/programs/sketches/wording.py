@@ -114,7 +114,7 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
     scene = {word for name in names for word in words(name) if word.isalpha() and len(word) > 2}
     slips = _grammar()["slips"]
     singulars = scene | {f"{word}s" for word in scene}
-    sentence = _paired(_joined(sentence, names), names)
+    sentence = _paired(_apart(_joined(sentence, names), scene), names)
     strange = (each for each in words(sentence) if each.isalpha() and each not in singulars)
     hasty = sum(len(each) > 3 and each not in _ENGLISH and misspelt(each) for each in strange)
 
@@ -145,6 +145,17 @@ def _joined(sentence: str, names: Sequence[str]) -> str:
             whole = re.escape("".join(said))
             sentence = re.sub(rf"\b{whole}\b", name, sentence, flags=re.I)
     return sentence
+
+
+def _apart(sentence: str, scene: Collection[str]) -> str:
+    """With small words apart that were run together with one of the scene's: ``thebook``, ``inthe``."""
+    whole = "|".join(map(re.escape, sorted({*scene, "the", "my"}, key=len, reverse=True)))
+    return re.sub(
+        rf"\b(the|my|in|on|into|onto|and|put)({whole})\b",
+        lambda match: f"{match[1]} {match[2]}" if misspelt(match[0].lower()) else match[0],
+        sentence,
+        flags=re.I,
+    )
 
 
 def _paired(sentence: str, names: Sequence[str]) -> str:

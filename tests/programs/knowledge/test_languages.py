@@ -30,6 +30,8 @@ def test_names_of_other_languages_are_put_into_english(foreign, english):
         ("leg de appel en de banaan in de kom", "put the apple and the banana in the bowl"),
         ("leg die Birne in die Küchenschublade", "put the pear in the kitchen drawer"),
         ("put teh bananna in the bwol", "put the banana in the bowl"),
+        ("putthe banana inthe bowl", "put the banana in the bowl"),
+        ("put thebanana in thebowl", "put the banana in the bowl"),
         ("put the banana in the bowl", "put the banana in the bowl"),
     ],
 )
