@@ -130,7 +130,7 @@ class Simulation:
             if ended.observed and self._handover.may_replan(plan, row):
                 self._handover.replan(session, plan, execution_id, ended.observed)
             else:
-                self._handover.executed(session, plan, status=ended.status, error=ended.error)
+                self._handover.executed(session, plan, row, status=ended.status, error=ended.error)
 
 
 def _reason(error: Exception) -> str:

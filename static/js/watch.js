@@ -28,8 +28,8 @@ export class Watch {
     this.rollout = new RolloutView((time) => this.playedTo(time));
     this.banner = new Banner({
       reuse: () => reuse(this.plan),
-      cancel: () => this.act("cancel"),
-      approve: () => this.act("approve"),
+      cancel: () => this.cancel(),
+      approve: () => this.approve(),
       again: () => this.runAgain(),
       choose: (execution) => this.open(this.plan.id, execution),
     });
@@ -200,11 +200,20 @@ export class Watch {
     }
   }
 
-  async act(what) {
+  approve() {
+    return this.act(`/plans/${this.id}/approve`, () => this.open(this.id));
+  }
+
+  /** What is under way is stopped: of a plan that is over, a what-if or a repetition. */
+  cancel() {
+    const running = OVER.has(this.plan.status) && this.execution;
+    return this.act(`${running ? `/executions/${running.id}` : `/plans/${this.id}`}/cancel`, () => this.refresh());
+  }
+
+  async act(path, then) {
     try {
-      await post(`/plans/${this.id}/${what}`);
-      if (what === "approve") await this.open(this.id);
-      else await this.refresh();
+      await post(path);
+      await then();
     } catch (error) {
       this.banner.fail(error.message);
     }
@@ -212,8 +221,9 @@ export class Watch {
 
   async runAgain() {
     try {
-      const seed = ((this.execution?.seed ?? this.plan.seed) + 1) % 4294967296;
-      const execution = await post(`/plans/${this.id}/executions`, { seed });
+      // The first run is the plan's own; with another seed it would be a what-if.
+      const changed = this.execution ? { seed: (this.execution.seed + 1) % 4294967296 } : {};
+      const execution = await post(`/plans/${this.id}/executions`, changed);
       await this.open(this.id, execution.id);
     } catch (error) {
       this.banner.fail(error.message);

@@ -2,6 +2,8 @@
 
 import pytest
 
+from app.api.schemas.plans import ExecutionGiven
+from app.api.what_if import changed_execution
 from app.domain.errors import TaskDeclined
 from app.domain.trace import ExecutionStarted
 from app.llm.backends.scripted import Answer, ScriptedModel
@@ -106,6 +108,20 @@ def test_no_more_is_planned_anew_than_was_asked_for(make_plan, work, read_plan):
     again = "    grab_and_putin('apple', 'cat')\n"
     assert len(work(plan_id, BURIED, again)) == 2
     assert read_plan(plan_id).status == "failed"
+
+
+def test_a_what_if_that_fails_does_not_have_the_plan_made_anew(
+    database, handover, make_plan, work, simulation, read_plan
+):
+    plan_id = make_plan(planner={"model": "scripted", "max_replans": 1}, goal=[])
+    work(plan_id, ONE)
+    with database.transaction() as session:
+        plan = plans.get(session, plan_id)
+        row = changed_execution(session, plan, ExecutionGiven(seed=1))
+        row.scene = row.scene | {"objects": row.scene["objects"][1:]}
+        what_if = handover.approved(session, plan, row).id
+    simulation(what_if)
+    assert (read_plan(plan_id).status, read_plan(plan_id).replans) == ("succeeded", 0)
 
 
 class Declining:

@@ -133,7 +133,7 @@ def cancel_execution(execution_id: str, parts: Using) -> ExecutionShown:
         row = executions.get(session, execution_id, lock=True)
         if row.status == "queued":
             row.status, row.finished_at = "cancelled", now()
-            parts.handover.executed(session, plan, status="cancelled", error=None)
+            parts.handover.executed(session, plan, row, status="cancelled", error=None)
         elif row.status not in ("executing", "cancelled"):
             raise Conflict(f"the execution is {row.status} already")
         row.cancel_requested = True

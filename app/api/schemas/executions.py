@@ -62,6 +62,9 @@ class ExecutionShown(Shown):
     identical: bool | None = Field(
         description="Whether its trace is that of `rerun_of`, bit for bit."
     )
+    what_if: bool = Field(
+        description="Something was changed for it; like a repetition, it leaves the plan as it is."
+    )
     steps: list[StepOutcome] = Field(
         description="Attempted calls in the order of their turns, recoveries included, then those to come."
     )
