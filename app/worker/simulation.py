@@ -21,9 +21,9 @@ from app.storage.documents import read_scene
 from app.storage.executions import ExecutionRow
 from app.storage.handover import Handover
 from app.storage.plans import PlanRow
+from app.takeover import state_of, steps_of
 from app.worker.execution_recorder import ExecutionRecorder
 from app.worker.outcome import Outcome, outcome
-from app.worker.takeover import state_of, steps_of
 from app.worlds import worlds
 
 MAX_ATTEMPTS = 3

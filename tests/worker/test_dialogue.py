@@ -11,6 +11,7 @@ from app.planners import planners
 from app.planners.progprompt import ProgPrompt
 from app.storage import events, executions, plans
 from app.storage.handover import execution_of
+from app.takeover import state_of
 from app.worker.planning import Planning
 from app.worker.situation import situation_of
 
@@ -71,6 +72,26 @@ def test_a_plan_whose_parent_was_never_carried_out_begins_with_the_scene(databas
     assert situation.state is None
     assert situation.task.facts == frozenset()
     assert len(situation.task.history) == 1
+
+
+def test_planner_and_execution_take_over_the_same_of_a_try_that_came_to_nothing(
+    database, make_plan, work
+):
+    parent = make_plan()
+    [before] = work(parent, ONE)
+    plan_id = make_plan(parent=parent)
+    with database.transaction() as session:
+        plan = plans.get(session, plan_id)
+        lost = execution_of(session, plan)
+        lost.status, lost.program = "failed", "def f():\n    pass"
+        session.add(lost)
+        plan.tries = [{"program": "", "execution": lost.id, "outcome": "its worker died"}]
+    with database.reading() as session:
+        plan = plans.get(session, plan_id)
+        state = situation_of(session, plan).state
+        assert lost.begins_after == before
+        assert state is not None
+        assert state == state_of(session, execution_of(session, plan))
 
 
 def test_what_is_left_is_planned_anew_after_a_failed_step(
