@@ -12,6 +12,7 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from app.domain.errors import (
+    Busy,
     Cancelled,
     Conflict,
     Fault,
@@ -26,6 +27,7 @@ STATUS: dict[type[ProgPromptError], HTTPStatus] = {
     NotThere: HTTPStatus.NOT_FOUND,
     Conflict: HTTPStatus.CONFLICT,
     Cancelled: HTTPStatus.CONFLICT,
+    Busy: HTTPStatus.SERVICE_UNAVAILABLE,
     ModelError: HTTPStatus.SERVICE_UNAVAILABLE,
     ProgPromptError: HTTPStatus.INTERNAL_SERVER_ERROR,
 }
@@ -77,7 +79,8 @@ def _on_ours(_request: Request, error: Exception) -> Problem:
     status = next(STATUS[found] for found in kind.__mro__ if found in STATUS)
     faults = error.faults if isinstance(error, Refused) else ()
     name = re.sub(r"(?<!^)(?=[A-Z])", "-", kind.__name__).lower()
-    return Problem(status, str(error), kind=name, faults=faults)
+    headers = {"Retry-After": str(error.retry_after)} if isinstance(error, Busy) else None
+    return Problem(status, str(error), kind=name, faults=faults, headers=headers)
 
 
 def _on_invalid(request: Request, error: Exception) -> Problem:
