@@ -54,6 +54,7 @@ export class Watch {
 
   clearRun() {
     this.moments = [];
+    this.running = null;
     this.latest = null;
     this.scores.reset();
   }
@@ -130,6 +131,7 @@ export class Watch {
     await this.refreshExecution(id, execution);
     await this.refresh(id);
     if (this.id !== id) return;
+    if (this.running) this.program.note(this.running, "stopped", "stopped before it was done");
     this.scores.show(this.plan, this.execution);
     if (!OVER.has(this.plan.status) && this.plan.tries.at(-1)?.execution === execution) this.planAnew(id);
     else if (this.execution) this.whatIf.show(this.plan, this.execution);
@@ -165,7 +167,8 @@ export class Watch {
   }
 
   mark(event) {
-    const note = (state, text = "") => this.program.note(event.line ?? this.running, state, text);
+    const note = (state, text = "") => this.program.note(event.line, state, text);
+    if (event.kind === "action_performed" || event.kind === "action_failed") this.running = null;
     switch (event.kind) {
       case "action_started":
         this.running = event.line;

@@ -1,7 +1,7 @@
 import pytest
 
-from app.domain.trace import Frame
-from app.storage import executions, frames
+from app.domain.trace import ActionStarted, Frame
+from app.storage import events, executions, frames
 
 PROGRAM = "def f():\n    grab_and_putin('banana', 'bowl')\n"
 
@@ -24,6 +24,18 @@ def test_an_execution_tells_what_became_of_every_step(client, executed):
 def test_steps_to_come_are_pending(client, queued):
     execution = client.get(f"/executions/{queued[1]}").json()
     assert (execution["status"], execution["steps"][0]["outcome"]) == ("queued", "pending")
+
+
+def test_a_step_that_never_ended_is_stopped_with_its_execution(client, parts, queued):
+    _, execution_id = queued
+    step = ActionStarted(line=2, action="grab_and_putin", arguments=("banana", "bowl"), time=0.0)
+    outcomes = []
+    for status in ("executing", "cancelled"):
+        with parts.database.transaction() as session:
+            executions.change(session, execution_id, when=executions.UNFINISHED, status=status)
+            events.append(session, execution_id, 0, [step])
+        outcomes += client.get(f"/executions/{execution_id}").json()["steps"]
+    assert [step["outcome"] for step in outcomes] == ["running", "stopped"]
 
 
 def test_a_failed_execution_tells_line_stage_and_reason(client, request_body, carry_out):

@@ -242,6 +242,16 @@ def test_running_plan_can_be_cancelled(open_page):
     expect(status(page)).to_have_text("Cancelled")
 
 
+def test_step_that_was_stopped_is_no_longer_under_way(open_page):
+    page = open_page()
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    page.get_by_label("What should the robot do?").fill(SENTENCE)
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator(".lines [data-state=running]")).to_have_count(1)
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.locator(".lines [data-state=stopped]")).to_have_count(1)
+
+
 def test_failed_plan_says_why(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("say nothing")

@@ -11,7 +11,7 @@ from app.api.schemas.scenes import SceneShown
 from app.domain.trace import ActionFailed, ActionPerformed, ActionStarted, CallSkipped, Event
 from app.rollout import understand
 from app.storage.documents import plan_columns, read_scene
-from app.storage.executions import ExecutionRow, Status
+from app.storage.executions import UNFINISHED, ExecutionRow, Status
 from app.storage.plans import PlanRow
 from app.worlds import worlds
 
@@ -22,7 +22,9 @@ class StepOutcome(Shown):
     line: int
     action: str | None
     arguments: list[str | float]
-    outcome: Literal["pending", "running", "performed", "failed", "skipped"]
+    outcome: Literal["pending", "running", "performed", "failed", "skipped", "stopped"] = Field(
+        description="`stopped`: the execution ended, cancelled or given up, while it was running."
+    )
     attempts: int | None = None
     stage: str | None = Field(
         default=None, description="Where it failed: `grounding`, `grasp`, `lift` …"
@@ -83,7 +85,7 @@ def show_execution(row: ExecutionRow, plan: PlanRow, events: Sequence[Event]) ->
     return ExecutionShown.model_validate(
         {
             **{name: getattr(row, name) for name in names},
-            "steps": _outcomes(_steps(row, plan), events),
+            "steps": _outcomes(_steps(row, plan), events, over=row.status not in UNFINISHED),
         }
     )
 
@@ -97,7 +99,9 @@ def _steps(row: ExecutionRow, plan: PlanRow) -> list[dict[str, Any]]:
     return [step for step in steps if step["line"] >= (row.begins_at_line or 0)]
 
 
-def _outcomes(steps: Sequence[dict[str, Any]], events: Sequence[Event]) -> list[StepOutcome]:
+def _outcomes(
+    steps: Sequence[dict[str, Any]], events: Sequence[Event], *, over: bool
+) -> list[StepOutcome]:
     reached: list[StepOutcome] = []
     for event in events:
         match event:
@@ -128,6 +132,8 @@ def _outcomes(steps: Sequence[dict[str, Any]], events: Sequence[Event]) -> list[
                 )
             case _:
                 pass
+    if over and reached and reached[-1].outcome == "running":
+        _update(reached, outcome="stopped")
     lines = {step.line for step in reached}
     to_come = [
         StepOutcome(
