@@ -1,7 +1,10 @@
 import pytest
+from sqlalchemy import event
 
 from app.domain.trace import ActionStarted, Frame
 from app.storage import events, executions, frames
+from app.storage.base import now
+from app.storage.events import EventRow
 
 PROGRAM = "def f():\n    grab_and_putin('banana', 'bowl')\n"
 
@@ -78,6 +81,38 @@ def test_a_cancelled_plan_can_be_carried_out_anew(client, queued, carry_out):
 def test_executions_can_be_listed_by_plan(client, executed, queued):
     listed = client.get("/executions", params={"plan_id": queued[0]}).json()["items"]
     assert [execution["id"] for execution in listed] == [queued[1]]
+
+
+@pytest.fixture
+def statements(parts):
+    """What the database was asked since."""
+    asked = []
+
+    def note(connection, cursor, statement, *_):
+        asked.append(statement)
+
+    event.listen(parts.database.engine, "before_cursor_execute", note)
+    yield asked
+    event.remove(parts.database.engine, "before_cursor_execute", note)
+
+
+def test_a_long_list_asks_no_more_of_the_database_than_a_short_one(client, queued, statements):
+    plan_id, _ = queued
+
+    def listed():
+        statements.clear()
+        return len(client.get("/executions").json()["items"]), len(statements)
+
+    one, asked = listed()
+    client.post(f"/plans/{plan_id}/executions")
+    assert listed() == (one + 1, asked)
+
+
+def test_a_list_does_not_read_what_tells_nothing_of_the_steps(client, parts, queued):
+    with parts.database.transaction() as session:
+        row = EventRow(owner=queued[1], sequence=0, at=now(), kind="stage_reached", body={})
+        session.add(row)
+    assert client.get("/executions").json()["items"][0]["steps"][0]["outcome"] == "pending"
 
 
 def test_frames_are_told_as_packed_numbers_from_any_index_on(client, parts, queued):

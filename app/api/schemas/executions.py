@@ -15,6 +15,9 @@ from app.storage.executions import UNFINISHED, ExecutionRow, Status
 from app.storage.plans import PlanRow
 from app.worlds import worlds
 
+STEP_KINDS = ("action_started", "action_performed", "action_failed", "call_skipped")
+"""The kinds of events that tell what became of the steps."""
+
 
 class StepOutcome(Shown):
     """What became of one action call."""
@@ -80,7 +83,7 @@ class ExecutionShown(Shown):
 
 
 def show_execution(row: ExecutionRow, plan: PlanRow, events: Sequence[Event]) -> ExecutionShown:
-    """The execution as clients see it."""
+    """The execution as clients see it; of its events those of ``STEP_KINDS`` are needed."""
     names = ExecutionShown.model_fields.keys() - {"steps"}
     return ExecutionShown.model_validate(
         {
