@@ -1,7 +1,8 @@
 // One plan being watched: its events led to the program, the 3D view, the words and the scores.
 
-import { follow, get, post } from "./api.js";
+import { all, follow, get, post } from "./api.js";
 import { Banner } from "./banner.js";
+import { save } from "./dom.js";
 import { EventList } from "./events.js";
 import { FollowUp } from "./followup.js";
 import { ProgramView } from "./program.js";
@@ -31,6 +32,7 @@ export class Watch {
       cancel: () => this.cancel(),
       approve: () => this.approve(),
       again: () => this.runAgain(),
+      trace: (execution) => this.saveTrace(execution),
       choose: (execution) => this.open(this.plan.id, execution),
     });
     this.close();
@@ -217,6 +219,15 @@ export class Watch {
     try {
       await post(path);
       await then();
+    } catch (error) {
+      this.banner.fail(error.message);
+    }
+  }
+
+  /** A long rollout's trace comes in parts, which are one file. */
+  async saveTrace(execution) {
+    try {
+      save(`${execution}.json`, JSON.stringify({ items: await all(`/executions/${execution}/trace`) }));
     } catch (error) {
       this.banner.fail(error.message);
     }
