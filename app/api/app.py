@@ -59,11 +59,23 @@ class RequestCount:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Pass the request on, noting the status of its answer."""
+        answered = False
+
+        def count(status: int) -> None:
+            nonlocal answered
+            answered = True
+            route = getattr(scope.get("route"), "path", "other")
+            self._requests[scope["method"], route, status] += 1
 
         async def noted(message: Message) -> None:
             if message["type"] == "http.response.start":
-                route = getattr(scope.get("route"), "path", "other")
-                self._requests[scope["method"], route, message["status"]] += 1
+                count(message["status"])
             await send(message)
 
-        await self._app(scope, receive, noted)
+        try:
+            await self._app(scope, receive, noted)
+        except Exception:
+            # What nobody expected is answered further out, with 500.
+            if scope["type"] == "http" and not answered:
+                count(500)
+            raise

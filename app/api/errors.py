@@ -12,6 +12,7 @@ from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
 from app.domain.errors import (
+    Busy,
     Cancelled,
     Conflict,
     Fault,
@@ -26,10 +27,14 @@ STATUS: dict[type[ProgPromptError], HTTPStatus] = {
     NotThere: HTTPStatus.NOT_FOUND,
     Conflict: HTTPStatus.CONFLICT,
     Cancelled: HTTPStatus.CONFLICT,
+    Busy: HTTPStatus.SERVICE_UNAVAILABLE,
     ModelError: HTTPStatus.SERVICE_UNAVAILABLE,
     ProgPromptError: HTTPStatus.INTERNAL_SERVER_ERROR,
 }
 MAX_FAULTS = 50
+"""So many are listed in ``errors``."""
+FIRST = 3
+"""So many are told in ``detail``."""
 log = logging.getLogger(__name__)
 
 
@@ -48,8 +53,13 @@ class Problem(JSONResponse):
         headers: dict[str, str] | None = None,
         **more: Any,  # noqa: ANN401 - members of the document
     ) -> None:
-        """Say what is wrong, and in ``faults`` which fields are."""
+        """Say what is wrong, and in ``faults`` which fields are.
+
+        Of many only the first are listed; ``errors_left_out`` is how many more there are then.
+        """
         title = HTTPStatus(status).phrase
+        if len(faults) > MAX_FAULTS:
+            more["errors_left_out"] = len(faults) - MAX_FAULTS
         content: dict[str, Any] = {
             "type": f"urn:progprompt:problem:{kind or title.lower().replace(' ', '-')}",
             "title": title,
@@ -76,8 +86,10 @@ def _on_ours(_request: Request, error: Exception) -> Problem:
     kind = type(error)
     status = next(STATUS[found] for found in kind.__mro__ if found in STATUS)
     faults = error.faults if isinstance(error, Refused) else ()
+    detail = _told(faults) if faults else str(error)
     name = re.sub(r"(?<!^)(?=[A-Z])", "-", kind.__name__).lower()
-    return Problem(status, str(error), kind=name, faults=faults)
+    headers = {"Retry-After": str(error.retry_after)} if isinstance(error, Busy) else None
+    return Problem(status, detail, kind=name, faults=faults, headers=headers)
 
 
 def _on_invalid(request: Request, error: Exception) -> Problem:
@@ -89,8 +101,12 @@ def _on_invalid(request: Request, error: Exception) -> Problem:
     kind = request.headers.get("content-type", "")
     if any(entry["loc"] == ("body",) for entry in found) and "json" not in kind:
         return Problem(415, "send JSON, with Content-Type: application/json", faults=faults)
-    detail = "; ".join(f"{fault.field}: {fault.message}" for fault in faults[:3])
-    return Problem(422, detail, kind="request-refused", faults=faults)
+    return Problem(422, _told(faults), kind="request-refused", faults=faults)
+
+
+def _told(faults: Sequence[Fault]) -> str:
+    told = "; ".join(f"{fault.field}: {fault.message}" for fault in faults[:FIRST])
+    return f"{told}; and {len(faults) - FIRST} more" if len(faults) > FIRST else told
 
 
 def _fault(entry: dict[str, Any]) -> Fault:

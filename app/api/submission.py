@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
+from app import takeover
 from app.api.parts import Parts
 from app.api.schemas.plans import PlanGiven
 from app.domain.asset import ASSET
@@ -23,7 +24,7 @@ from app.llm.models import find_model
 from app.planners import planners
 from app.programs.conditions import parse_goal
 from app.rollout import offered, rehearse, understand
-from app.storage import checkpoints, dialogue, events, plans, scenes
+from app.storage import dialogue, events, plans, scenes
 from app.storage.base import new_id, now
 from app.storage.documents import plan_columns, read_scene, scene_document
 from app.storage.plans import PlanRow
@@ -175,7 +176,7 @@ def _scene_of_parent(parts: Parts, parent: str) -> Scene:
 
 def _state_after(session: Session, parent: str) -> bytes | None:
     before = dialogue.last_execution(session, plans.get(session, parent))
-    return checkpoints.before(session, before, checkpoints.END) if before else None
+    return takeover.state_after(session, before) if before else None
 
 
 def flawless(text: str, scene: Scene, world: WorldDescription) -> tuple[Program, Plan]:

@@ -36,12 +36,22 @@ def changed_execution(session: Session, plan: PlanRow, given: ExecutionGiven) ->
         scene = read_scene(row.scene)
         flawless(given.program, scene, worlds[scene.world])
         row.program = given.program
+    row.what_if = given.after is not None or (row.seed, row.program) != (plan.seed, plan.program)
     return row
 
 
 def repeated(row: ExecutionRow) -> ExecutionRow:
     """The same once more, to be compared with; not stored yet."""
-    names = ("plan_id", "seed", "scene", "program", "options", "begins_after", "begins_at_line")
+    names = (
+        "plan_id",
+        "seed",
+        "scene",
+        "program",
+        "options",
+        "begins_after",
+        "begins_at_line",
+        "what_if",
+    )
     again = {name: getattr(row, name) for name in names}
     return ExecutionRow(
         id=new_id("ex"), created_at=now(), status="queued", rerun_of=row.id, **again

@@ -10,6 +10,7 @@ ProgPromptError
 │   └── UnknownName         no world, planner, model, action, kind … of that name
 ├── NotThere                nothing is stored under this id
 ├── Conflict                the resource is in a state that does not allow this
+├── Busy                    the service has its hands full; says after how long to ask again
 ├── ModelError              a language model could not be asked
 │   ├── ModelUnavailable    no weights, no key, no connection
 │   └── CompletionFailed    asked, but what came back is unusable
@@ -88,6 +89,15 @@ class NotThere(ProgPromptError):
 
 class Conflict(ProgPromptError):
     """The resource is in a state that does not allow this."""
+
+
+class Busy(ProgPromptError):
+    """The service has its hands full with others' requests; the same one may be taken later."""
+
+    def __init__(self, message: str, *, retry_after: int) -> None:
+        self.retry_after = retry_after
+        """How long to wait before asking again [s]."""
+        super().__init__(message)
 
 
 class ModelError(ProgPromptError):

@@ -40,7 +40,7 @@ class ModelHub:
         done = part.stat().st_size
         # A compressed body could not be taken up in the middle.
         headers = {"Range": f"bytes={done}-", "Accept-Encoding": "identity"}
-        with gate.stream("GET", weights.hub_path, headers=headers) as response:
+        with gate.stream("GET", weights.hub_path, headers=headers, redirects=True) as response:
             whole = response.status_code == httpx.codes.OK  # Range was not heeded: from the start
             done = 0 if whole else done
             rest = int(response.headers.get("Content-Length", weights.bytes - done))

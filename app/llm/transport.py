@@ -73,7 +73,6 @@ class Transport:
                 headers=headers,
                 timeout=limits,
                 transport=transport,
-                follow_redirects=True,
             )
         self._place = self._client.base_url.netloc.decode() or base_url
 
@@ -100,8 +99,12 @@ class Transport:
         *,
         body: Mapping[str, object] | None = None,
         headers: Mapping[str, str] | None = None,
+        redirects: bool = False,
     ) -> Iterator[httpx.Response]:
         """The answer, successful, to be read piece by piece.
+
+        With ``redirects`` it may come from elsewhere, and then the headers go there: only for
+        requests without a key.
 
         Raises:
             ModelUnavailable: it cannot be reached, refuses us, or breaks off while it is read.
@@ -109,17 +112,17 @@ class Transport:
         """
         with self._gate():
             request = self._client.build_request(method, path, json=body, headers=headers)
-            response = self._send(request)
+            response = self._send(request, redirects)
             try:
                 yield response
             finally:
                 response.close()
 
-    def _send(self, request: httpx.Request) -> httpx.Response:
+    def _send(self, request: httpx.Request, redirects: bool) -> httpx.Response:
         wait = self._patience.first_wait
         for attempts_left in reversed(range(self._patience.attempts)):
             try:
-                response = self._client.send(request, stream=True)
+                response = self._client.send(request, stream=True, follow_redirects=redirects)
             except (httpx.ConnectError, httpx.ConnectTimeout, httpx.RemoteProtocolError):
                 if not attempts_left:
                     raise
@@ -141,6 +144,9 @@ class Transport:
         status, said = response.status_code, f"{self._place} says: {_message(response)}"
         if status in (401, 403):
             raise ModelUnavailable(f"the key was refused ({status}); set a valid one. {said}")
+        if response.has_redirect_location:
+            moved = response.url.join(response.headers["Location"])
+            raise ModelUnavailable(f"{self._place} has moved to {moved}; set that address")
         if status == 404:
             raise ModelUnavailable(f"no such model or address (404): {response.url}. {said}")
         if status in RETRIED:

@@ -48,12 +48,13 @@ class Database:
 
     def migrate(self) -> None:
         """Bring the tables up to date; several processes may do this at the same time."""
-        with self.engine.connect() as connection:
+        with self.engine.connect() as connection, _rebuilding(connection):
             _lock(connection)
             config = Config()
             config.set_main_option("script_location", str(MIGRATIONS))
             config.attributes["connection"] = connection
             command.upgrade(config, "head")
+            _check_references(connection)
             connection.commit()
         DBOS.migrate(self.url)
 
@@ -117,3 +118,29 @@ def _lock(connection: Connection) -> None:
         connection.exec_driver_sql("BEGIN IMMEDIATE")
     else:
         connection.execute(text("SELECT pg_advisory_xact_lock(:key)"), {"key": MIGRATION_LOCK})
+
+
+@contextmanager
+def _rebuilding(connection: Connection) -> Iterator[None]:
+    """Let SQLite drop a table that others refer to, which is how Alembic changes its columns.
+
+    The switch does nothing inside a transaction, so it surrounds that of the migrations.
+    """
+    if connection.dialect.name != "sqlite":
+        yield
+        return
+    connection.exec_driver_sql("PRAGMA foreign_keys = OFF")
+    try:
+        yield
+    finally:
+        connection.rollback()
+        connection.exec_driver_sql("PRAGMA foreign_keys = ON")
+
+
+def _check_references(connection: Connection) -> None:
+    """Nothing may refer to what is not there, although nobody looked meanwhile."""
+    if connection.dialect.name != "sqlite":
+        return
+    if broken := connection.exec_driver_sql("PRAGMA foreign_key_check").fetchall():
+        found = ", ".join(sorted({f"{child} to {parent}" for child, _, parent, _ in broken}))
+        raise RuntimeError(f"the migrations would break references from {found}; nothing was done")

@@ -1,10 +1,11 @@
 """Dialogue: the plans that came before one, and the state of things they left behind."""
 
-from sqlalchemy import select
+from sqlalchemy import exists, select
 from sqlalchemy.orm import Session
 
 from app.storage import plans
-from app.storage.executions import ExecutionRow
+from app.storage.checkpoints import CheckpointRow
+from app.storage.executions import OWN, ExecutionRow
 from app.storage.plans import PlanRow
 
 MAX_TURNS = 8
@@ -31,13 +32,17 @@ def beginning(session: Session, plan: PlanRow) -> str | None:
 
 
 def last_execution(session: Session, plan: PlanRow | None) -> str | None:
-    """Id of the execution that left things as they stand after the plan, if there was any."""
+    """Id of the execution that left things as they stand after the plan, if there was any.
+
+    Only the plan's own runs move things for good, and of those only the ones that came so far as
+    to keep a state: a run cancelled in the queue leaves everything where the one before put it.
+    """
     while plan is not None:
         query = (
             select(ExecutionRow.id)
-            .where(ExecutionRow.plan_id == plan.id)
+            .where(ExecutionRow.plan_id == plan.id, OWN)
             .where(ExecutionRow.status.in_(("succeeded", "failed", "cancelled")))
-            .where(ExecutionRow.rerun_of.is_(None))
+            .where(exists().where(CheckpointRow.execution_id == ExecutionRow.id))
             .order_by(ExecutionRow.serial.desc())
             .limit(1)
         )

@@ -1,6 +1,6 @@
 """Events: what happened, in order; each is written once and never changed."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from datetime import datetime
 from typing import Any
 
@@ -67,6 +67,21 @@ def all_of(session: Session, owner: str) -> list[Event]:
     """All events of the owner, in order."""
     query = select(EventRow).where(EventRow.owner == owner).order_by(EventRow.sequence)
     return [row.event for row in session.scalars(query)]
+
+
+def of_kinds(
+    session: Session, owners: Collection[str], kinds: Collection[str]
+) -> dict[str, list[Event]]:
+    """The events of these kinds, by owner, in order; of a rollout most are of others."""
+    query = (
+        select(EventRow)
+        .where(EventRow.owner.in_(owners), EventRow.kind.in_(kinds))
+        .order_by(EventRow.owner, EventRow.sequence)
+    )
+    found: dict[str, list[Event]] = {owner: [] for owner in owners}
+    for row in session.scalars(query):
+        found[row.owner].append(row.event)
+    return found
 
 
 def of_execution(session: Session, execution_id: str) -> list[ExecutionEvent]:

@@ -51,6 +51,8 @@ class ExecutionRow(Base):
     """The execution it repeats, to be compared with."""
     identical: Mapped[bool | None]
     """Whether its trace is the same, bit for bit."""
+    what_if: Mapped[bool] = mapped_column(default=False)
+    """Something was changed for it: seed, program or beginning are not the plan's."""
 
     scores: Mapped[dict[str, Any] | None] = mapped_column(JSON(none_as_null=True))
     final_state: Mapped[list[str] | None] = mapped_column(JSON(none_as_null=True))
@@ -66,7 +68,14 @@ class ExecutionRow(Base):
     next_event: Mapped[int] = mapped_column(default=0)
     next_frame: Mapped[int] = mapped_column(default=0)
 
+    @property
+    def own(self) -> bool:
+        """Whether it is the plan itself that is carried out, and no what-if or repetition."""
+        return not self.what_if and self.rerun_of is None
 
+
+OWN = ExecutionRow.what_if.is_(False) & ExecutionRow.rerun_of.is_(None)
+"""``ExecutionRow.own`` in a query."""
 _BY_ID = select(ExecutionRow).where(ExecutionRow.id == bindparam("id"))
 _LOCKED = locked(_BY_ID)
 _OF_PLAN = (
@@ -94,6 +103,14 @@ def of_plan(session: Session, plan_id: str) -> list[tuple[str, Status]]:
     """Ids and statuses of a plan's executions, oldest first."""
     found = session.execute(_OF_PLAN, {"plan_id": plan_id})
     return [(execution_id, status) for execution_id, status in found]
+
+
+def pending(session: Session, plan_id: str) -> bool:
+    """Whether an execution is left by which the plan may still come to its outcome."""
+    query = select(ExecutionRow.id).where(
+        ExecutionRow.plan_id == plan_id, OWN, ExecutionRow.status.in_(UNFINISHED)
+    )
+    return session.scalar(query.limit(1)) is not None
 
 
 def of_plans(session: Session, plan_ids: Collection[str]) -> dict[str, list[str]]:

@@ -31,10 +31,12 @@ class Handover:
             self.approved(session, plan, execution_of(session, plan))
 
     def approved(self, session: Session, plan: PlanRow, execution: ExecutionRow) -> ExecutionRow:
-        """The plan may be carried out, in this way."""
-        plan.status = "executing"
-        plan.error = None
-        plan.finished_at = None
+        """The plan may be carried out, in this way; what-ifs and repetitions leave it as it is."""
+        if execution.own:
+            plan.cancel_requested = plan.cancel_requested and plan.status == "executing"
+            plan.status = "executing"
+            plan.error = None
+            plan.finished_at = None
         session.add(execution)
         session.flush()
         self._jobs.enqueue(session, "simulation", execution.id)
@@ -43,7 +45,7 @@ class Handover:
     def may_replan(self, plan: PlanRow, execution: ExecutionRow) -> bool:
         """Whether the plan is to be made anew after this execution of it failed."""
         wanted = plan.replans < plan.planner.get("max_replans", 0) and not plan.cancel_requested
-        return wanted and execution.program == plan.program and execution.rerun_of is None
+        return wanted and execution.own and execution.program == plan.program
 
     def replan(self, session: Session, plan: PlanRow, execution_id: str, outcome: str) -> None:
         """What is left of the plan is planned anew, from where this execution left its world."""
@@ -55,15 +57,20 @@ class Handover:
         session.flush()
         self._jobs.enqueue(session, "planning", plan.id, job=f"{plan.id}-{plan.replans}")
 
-    def executed(self, session: Session, plan: PlanRow, *, status: str, error: str | None) -> None:
-        """One of its executions ended; when none is left, the plan has that one's outcome."""
+    def executed(
+        self,
+        session: Session,
+        plan: PlanRow,
+        execution: ExecutionRow,
+        *,
+        status: str,
+        error: str | None,
+    ) -> None:
+        """An execution ended; when none of the plan's own is left, it has that one's outcome."""
         session.flush()
-        left = [
-            execution_id
-            for execution_id, found in executions.of_plan(session, plan.id)
-            if found in executions.UNFINISHED
-        ]
-        if not left and plan.status == "executing":
+        if not execution.own or plan.status != "executing":
+            return
+        if not executions.pending(session, plan.id):
             plan.status = "cancelled" if plan.cancel_requested else status  # pyright: ignore
             plan.error = error
             plan.finished_at = now()

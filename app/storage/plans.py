@@ -96,6 +96,12 @@ def get(session: Session, plan_id: str, *, lock: bool = False) -> PlanRow:
     return row
 
 
+def several(session: Session, plan_ids: Collection[str]) -> dict[str, PlanRow]:
+    """Those plans of these ids that there are, by id."""
+    query = select(PlanRow).where(PlanRow.id.in_(plan_ids))
+    return {row.id: row for row in session.scalars(query)}
+
+
 def with_key(session: Session, idempotency_key: str) -> PlanRow | None:
     """The plan that was asked for under this key, if any."""
     return session.scalar(select(PlanRow).where(PlanRow.idempotency_key == idempotency_key))

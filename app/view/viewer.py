@@ -30,7 +30,10 @@ class Viewer:
 
     def __init__(self, rollouts: Callable[[str], RolloutSource]) -> None:
         self._rollouts = rollouts
+        self._opening = threading.Lock()
+        """One film is opened at a time: two that ask for the same one share it."""
         self._lock = threading.Lock()
+        """For the blink of an eye only: whoever leaves does so on the event loop."""
         self._screenings: dict[tuple[str, str], tuple[Screening, int]] = {}
         self._shelf: dict[str, Film] = {}
 
@@ -42,9 +45,7 @@ class Viewer:
             NotThere: there is no such execution, or nothing to be seen of it.
         """
         key = (execution_id, token)
-        with self._lock:
-            screening, users = self._screenings.get(key) or (self._open(execution_id), 0)
-            self._screenings[key] = (screening, users + 1)
+        screening = self._enter(key)
         try:
             yield screening
         finally:
@@ -61,6 +62,16 @@ class Viewer:
         """
         if execution_id not in self._shelf:
             self._rollouts(execution_id)
+
+    def _enter(self, key: tuple[str, str]) -> Screening:
+        with self._opening:
+            with self._lock:
+                known = self._screenings.get(key)
+            screening = known[0] if known else self._open(key[0])
+            with self._lock:
+                _, users = self._screenings.get(key, (screening, 0))
+                self._screenings[key] = (screening, users + 1)
+        return screening
 
     def _open(self, execution_id: str) -> Screening:
         film = self._shelf.pop(execution_id, None)

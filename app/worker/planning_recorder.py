@@ -50,7 +50,9 @@ class PlanningRecorder:
         return stop
 
     def _fresh(self, event: PlanningEvent) -> list[PlanningEvent]:
-        """What of the event has not been stored by an earlier run."""
+        """What of the event is worth storing and has not been stored by an earlier run."""
+        if isinstance(event, CompletionGrew) and not event.text:
+            return []  # Only asks whether to stop.
         if not self._replaying:
             return [event]
         self._retold.append(event)

@@ -21,9 +21,9 @@ from app.storage.documents import read_scene
 from app.storage.executions import ExecutionRow
 from app.storage.handover import Handover
 from app.storage.plans import PlanRow
+from app.takeover import state_of, steps_of
 from app.worker.execution_recorder import ExecutionRecorder
 from app.worker.outcome import Outcome, outcome
-from app.worker.takeover import state_of, steps_of
 from app.worlds import worlds
 
 MAX_ATTEMPTS = 3
@@ -130,7 +130,7 @@ class Simulation:
             if ended.observed and self._handover.may_replan(plan, row):
                 self._handover.replan(session, plan, execution_id, ended.observed)
             else:
-                self._handover.executed(session, plan, status=ended.status, error=ended.error)
+                self._handover.executed(session, plan, row, status=ended.status, error=ended.error)
 
 
 def _reason(error: Exception) -> str:

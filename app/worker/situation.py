@@ -12,9 +12,10 @@ from app.domain.scene import Scene
 from app.domain.world import World
 from app.programs.conditions import parse_condition
 from app.rollout import offered
-from app.storage import checkpoints, dialogue, executions
+from app.storage import dialogue, executions
 from app.storage.documents import read_scene
 from app.storage.plans import PlanRow
+from app.takeover import state_after
 from app.worlds import worlds
 
 
@@ -37,7 +38,7 @@ def situation_of(session: Session, row: PlanRow) -> Situation:
     """Put together what has been stored."""
     scene = read_scene(row.scene)
     before = dialogue.beginning(session, row)
-    state = checkpoints.before(session, before, checkpoints.END) if before else None
+    state = state_after(session, before) if before else None
     task = Task(
         scene=scene,
         actions=offered(worlds[scene.world], scene),

@@ -20,6 +20,18 @@ export async function get(path) {
   return answer(await reach(path, { headers: { Accept: "application/json" } }));
 }
 
+/** All entries of the list at `path`, part after part. */
+export async function all(path) {
+  const items = [];
+  let next = "";
+  do {
+    const part = await get(`${path}?limit=1000${next && `&cursor=${next}`}`);
+    items.push(...part.items);
+    next = part.next;
+  } while (next);
+  return items;
+}
+
 /** Sends `body` to `path`. */
 export const post = (path, body = {}, headers = {}) => send("POST", path, body, headers);
 

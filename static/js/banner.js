@@ -97,7 +97,7 @@ export class Banner {
       button("Use this task", actions.reuse),
       this.executions(plan, execution),
       execution && over && link("Recording", `/executions/${execution.id}/recording`, `${execution.id}.viser`),
-      execution && link("Trace", `/executions/${execution.id}/trace?limit=1000`, `${execution.id}.json`),
+      execution && button("Trace", () => actions.trace(execution.id), "small quiet"),
       plan.parent && h("a", { class: "button small quiet", href: `#/plans/${plan.parent}` }, "The plan before"),
       link("Plan as JSON", `/plans/${plan.id}`, `${plan.id}.json`),
     );

@@ -15,6 +15,13 @@ export function h(tag, attributes = {}, ...children) {
 
 export const byId = (id) => document.getElementById(id);
 
+/** Has the browser keep this text as a file. */
+export function save(name, text) {
+  const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+  h("a", { href: url, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000); // only once it has been read
+}
+
 /** Ctrl+Enter, or Cmd+Enter, wherever one is, sends the form that is on the page. */
 export function submitOnCtrlEnter(form) {
   document.addEventListener("keydown", (event) => {

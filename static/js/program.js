@@ -10,6 +10,7 @@ const MARKS = {
   performed: ["✓", "done"],
   failed: ["✗", "failed"],
   skipped: ["–", "skipped"],
+  stopped: ["■", "stopped"],
   holds: ["✓", "true"],
   broken: ["✗", "false"],
 };

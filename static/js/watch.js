@@ -1,7 +1,8 @@
 // One plan being watched: its events led to the program, the 3D view, the words and the scores.
 
-import { follow, get, post } from "./api.js";
+import { all, follow, get, post } from "./api.js";
 import { Banner } from "./banner.js";
+import { save } from "./dom.js";
 import { EventList } from "./events.js";
 import { FollowUp } from "./followup.js";
 import { ProgramView } from "./program.js";
@@ -28,9 +29,10 @@ export class Watch {
     this.rollout = new RolloutView((time) => this.playedTo(time));
     this.banner = new Banner({
       reuse: () => reuse(this.plan),
-      cancel: () => this.act("cancel"),
-      approve: () => this.act("approve"),
+      cancel: () => this.cancel(),
+      approve: () => this.approve(),
       again: () => this.runAgain(),
+      trace: (execution) => this.saveTrace(execution),
       choose: (execution) => this.open(this.plan.id, execution),
     });
     this.close();
@@ -54,6 +56,7 @@ export class Watch {
 
   clearRun() {
     this.moments = [];
+    this.running = null;
     this.latest = null;
     this.scores.reset();
   }
@@ -130,6 +133,7 @@ export class Watch {
     await this.refreshExecution(id, execution);
     await this.refresh(id);
     if (this.id !== id) return;
+    if (this.running) this.program.note(this.running, "stopped", "stopped before it was done");
     this.scores.show(this.plan, this.execution);
     if (!OVER.has(this.plan.status) && this.plan.tries.at(-1)?.execution === execution) this.planAnew(id);
     else if (this.execution) this.whatIf.show(this.plan, this.execution);
@@ -165,7 +169,8 @@ export class Watch {
   }
 
   mark(event) {
-    const note = (state, text = "") => this.program.note(event.line ?? this.running, state, text);
+    const note = (state, text = "") => this.program.note(event.line, state, text);
+    if (event.kind === "action_performed" || event.kind === "action_failed") this.running = null;
     switch (event.kind) {
       case "action_started":
         this.running = event.line;
@@ -200,11 +205,29 @@ export class Watch {
     }
   }
 
-  async act(what) {
+  approve() {
+    return this.act(`/plans/${this.id}/approve`, () => this.open(this.id));
+  }
+
+  /** What is under way is stopped: of a plan that is over, a what-if or a repetition. */
+  cancel() {
+    const running = OVER.has(this.plan.status) && this.execution;
+    return this.act(`${running ? `/executions/${running.id}` : `/plans/${this.id}`}/cancel`, () => this.refresh());
+  }
+
+  async act(path, then) {
     try {
-      await post(`/plans/${this.id}/${what}`);
-      if (what === "approve") await this.open(this.id);
-      else await this.refresh();
+      await post(path);
+      await then();
+    } catch (error) {
+      this.banner.fail(error.message);
+    }
+  }
+
+  /** A long rollout's trace comes in parts, which are one file. */
+  async saveTrace(execution) {
+    try {
+      save(`${execution}.json`, JSON.stringify({ items: await all(`/executions/${execution}/trace`) }));
     } catch (error) {
       this.banner.fail(error.message);
     }
@@ -212,8 +235,9 @@ export class Watch {
 
   async runAgain() {
     try {
-      const seed = ((this.execution?.seed ?? this.plan.seed) + 1) % 4294967296;
-      const execution = await post(`/plans/${this.id}/executions`, { seed });
+      // The first run is the plan's own; with another seed it would be a what-if.
+      const changed = this.execution ? { seed: (this.execution.seed + 1) % 4294967296 } : {};
+      const execution = await post(`/plans/${this.id}/executions`, changed);
       await this.open(this.id, execution.id);
     } catch (error) {
       this.banner.fail(error.message);

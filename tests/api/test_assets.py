@@ -8,6 +8,7 @@ from click.testing import CliRunner
 from app.cli.robot import command as robot
 from app.storage.assets import lookup
 from app.worlds import worlds
+from app.worlds.simulators.mujoco import upload
 from app.worlds.simulators.mujoco.objects import kinds
 from app.worlds.tabletop import Tabletop
 
@@ -106,6 +107,16 @@ def test_wrong_words_about_a_mesh_are_refused(standing, problem_of):
         assert field in problem_of(answer, 422)["errors"][0]["field"]
     plain = standing.post("/assets", content=data, headers={"Content-Type": "text/plain"})
     assert problem_of(plain, 415)
+
+
+def test_a_mesh_whose_turn_does_not_come_is_to_be_sent_again(standing, problem_of, monkeypatch):
+    monkeypatch.setattr(upload, "TURN", 0.01)
+    with upload.AT_ONCE:
+        answer = uploaded(standing, wedge(), name="patient")
+    problem = problem_of(answer, 503)
+    assert problem["type"].endswith(":busy")
+    assert "send this one again" in problem["detail"]
+    assert int(answer.headers["Retry-After"]) > 0
 
 
 def test_a_file_of_more_than_twenty_megabytes_is_refused_at_once(standing, problem_of):

@@ -94,6 +94,20 @@ def test_all_faults_are_told_at_once(standing, request_body, problem_of):
 
 
 @pytest.mark.parametrize(
+    "wrong", [{"kind": "dragon", "colour": "loud"}, {"weight": 3, "height": 3}]
+)
+def test_of_very_many_faults_it_is_said_how_many_are_left_out(
+    standing, problem_of, request_body, wrong
+):
+    cups = [{"name": f"cup {n}"} | wrong for n in range(40)]
+    problem = problem_of(posting(standing, request_body | scene(*cups)), 422)
+    assert (len(problem["errors"]), problem["errors_left_out"]) == (50, 30)
+    assert problem["detail"].endswith("; and 77 more")
+    assert "cup 39" not in problem["detail"]
+    assert "errors_left_out" not in problem_of(posting(standing, {}), 422)
+
+
+@pytest.mark.parametrize(
     "text",
     [
         "",

@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.storage import workers
+from app.storage import scenes, workers
 from app.storage.workers import WorkerRow
 
 CATALOGUES = ("worlds", "objects", "actions", "models", "planners", "robots")
@@ -92,6 +92,17 @@ def test_the_service_is_healthy_before_it_is_ready(client, parts, problem_of):
         row = WorkerRow(id="planning-1", queue="planning", pid=1, ready=True, detail="holds it")
         workers.report(session, row)
     assert client.get("/readyz").status_code == 200
+
+
+def test_metrics_count_what_went_wrong_inside(client, problem_of, monkeypatch):
+    def broken(*args, **values):
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(scenes, "page", broken)
+    # Its server hangs up after such an answer, which a client that comes back must not meet.
+    problem_of(client.get("/scenes", headers={"Connection": "close"}), 500)
+    lines = client.get("/metrics").text.splitlines()
+    assert 'progprompt_requests_total{method="GET",route="/scenes",status="500"} 1' in lines
 
 
 def test_metrics_count_requests_and_plans(client, executed):

@@ -1,7 +1,10 @@
 import pytest
+from sqlalchemy import event
 
-from app.domain.trace import Frame
-from app.storage import executions, frames
+from app.domain.trace import ActionStarted, Frame
+from app.storage import events, executions, frames
+from app.storage.base import now
+from app.storage.events import EventRow
 
 PROGRAM = "def f():\n    grab_and_putin('banana', 'bowl')\n"
 
@@ -24,6 +27,18 @@ def test_an_execution_tells_what_became_of_every_step(client, executed):
 def test_steps_to_come_are_pending(client, queued):
     execution = client.get(f"/executions/{queued[1]}").json()
     assert (execution["status"], execution["steps"][0]["outcome"]) == ("queued", "pending")
+
+
+def test_a_step_that_never_ended_is_stopped_with_its_execution(client, parts, queued):
+    _, execution_id = queued
+    step = ActionStarted(line=2, action="grab_and_putin", arguments=("banana", "bowl"), time=0.0)
+    outcomes = []
+    for status in ("executing", "cancelled"):
+        with parts.database.transaction() as session:
+            executions.change(session, execution_id, when=executions.UNFINISHED, status=status)
+            events.append(session, execution_id, 0, [step])
+        outcomes += client.get(f"/executions/{execution_id}").json()["steps"]
+    assert [step["outcome"] for step in outcomes] == ["running", "stopped"]
 
 
 def test_a_failed_execution_tells_line_stage_and_reason(client, request_body, carry_out):
@@ -66,6 +81,38 @@ def test_a_cancelled_plan_can_be_carried_out_anew(client, queued, carry_out):
 def test_executions_can_be_listed_by_plan(client, executed, queued):
     listed = client.get("/executions", params={"plan_id": queued[0]}).json()["items"]
     assert [execution["id"] for execution in listed] == [queued[1]]
+
+
+@pytest.fixture
+def statements(parts):
+    """What the database was asked since."""
+    asked = []
+
+    def note(connection, cursor, statement, *_):
+        asked.append(statement)
+
+    event.listen(parts.database.engine, "before_cursor_execute", note)
+    yield asked
+    event.remove(parts.database.engine, "before_cursor_execute", note)
+
+
+def test_a_long_list_asks_no_more_of_the_database_than_a_short_one(client, queued, statements):
+    plan_id, _ = queued
+
+    def listed():
+        statements.clear()
+        return len(client.get("/executions").json()["items"]), len(statements)
+
+    one, asked = listed()
+    client.post(f"/plans/{plan_id}/executions")
+    assert listed() == (one + 1, asked)
+
+
+def test_a_list_does_not_read_what_tells_nothing_of_the_steps(client, parts, queued):
+    with parts.database.transaction() as session:
+        row = EventRow(owner=queued[1], sequence=0, at=now(), kind="stage_reached", body={})
+        session.add(row)
+    assert client.get("/executions").json()["items"][0]["steps"][0]["outcome"] == "pending"
 
 
 def test_frames_are_told_as_packed_numbers_from_any_index_on(client, parts, queued):

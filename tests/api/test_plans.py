@@ -97,11 +97,45 @@ def test_a_program_written_by_hand_needs_no_model(client, request_body, carry_ou
 def test_a_program_that_is_not_to_be_executed_stays_planned_until_it_is(client, request_body):
     plan = client.post("/plans", json=request_body | {"program": PROGRAM, "execute": False}).json()
     assert (plan["status"], plan["executions"]) == ("planned", [])
-    answer = client.post(f"/plans/{plan['id']}/executions", json={"seed": 3})
+    answer = client.post(f"/plans/{plan['id']}/executions")
     assert answer.status_code == 202
     assert answer.headers["location"] == f"/executions/{answer.json()['id']}"
-    assert answer.json()["seed"] == 3
+    assert (answer.json()["seed"], answer.json()["what_if"]) == (0, False)
     assert client.get(f"/plans/{plan['id']}").json()["status"] == "executing"
+
+
+STACKED = PROGRAM.replace("'banana', 'bowl'", "'bowl', 'banana'")
+
+
+@pytest.mark.parametrize("changed", [{"seed": 3}, {"program": STACKED}, {"after": "the first"}])
+def test_a_what_if_leaves_the_plan_as_it_is(client, executed, carry_out, changed):
+    plan_id, execution_id = executed
+    before = client.get(f"/plans/{plan_id}").json()
+    body = {"after": execution_id} if "after" in changed else changed
+    what_if = client.post(f"/plans/{plan_id}/executions", json=body).json()
+    assert what_if["what_if"]
+    assert client.get(f"/plans/{plan_id}").json()["status"] == "succeeded"
+    carry_out(what_if["id"])
+    after = client.get(f"/plans/{plan_id}").json()
+    assert after == before | {"executions": [execution_id, what_if["id"]]}
+
+
+def test_a_repetition_leaves_the_plan_as_it_is(client, executed):
+    plan_id, execution_id = executed
+    again = client.post(f"/executions/{execution_id}/rerun").json()["id"]
+    client.post(f"/executions/{again}/cancel")
+    assert client.get(f"/plans/{plan_id}").json()["status"] == "succeeded"
+
+
+def test_a_plan_that_follows_begins_where_the_plan_itself_ended(client, executed, carry_out):
+    plan_id, execution_id = executed
+    for changed in ({"program": STACKED}, {"seed": 3}):
+        carry_out(client.post(f"/plans/{plan_id}/executions", json=changed).json()["id"])
+    stopped = client.post(f"/plans/{plan_id}/executions").json()["id"]
+    client.post(f"/executions/{stopped}/cancel")
+    body = {"parent": plan_id, "program": PROGRAM, "goal": ["in(banana, bowl)"]}
+    [follower] = client.post("/plans", json=body).json()["executions"]
+    assert client.get(f"/executions/{follower}").json()["begins_after"] == execution_id
 
 
 def test_another_seed_moves_what_was_left_open_and_nothing_else(client, request_body):

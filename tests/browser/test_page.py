@@ -265,6 +265,16 @@ def test_running_plan_can_be_cancelled(open_page):
     expect(status(page)).to_have_text("Cancelled")
 
 
+def test_step_that_was_stopped_is_no_longer_under_way(open_page):
+    page = open_page()
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    page.get_by_label("What should the robot do?").fill(SENTENCE)
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator(".lines [data-state=running]")).to_have_count(1)
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.locator(".lines [data-state=stopped]")).to_have_count(1)
+
+
 def test_failed_plan_says_why(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("say nothing")
@@ -310,6 +320,22 @@ def test_dialogue_goes_on_from_where_a_plan_ended(open_page, finished):
     expect(status(page)).to_have_text("Succeeded")
     page.get_by_role("link", name="The plan before").click()
     expect(page.locator("#banner .sentence")).to_have_text(SENTENCE)
+
+
+def test_a_trace_of_many_parts_is_one_file(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(status(page)).to_have_text("Succeeded")
+    # As if a part had three events only.
+    page.route(
+        re.compile(r"/trace\?limit=1000"),
+        lambda route: route.continue_(url=route.request.url.replace("limit=1000", "limit=3")),
+    )
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Trace").click()
+    items = json.loads(download.value.path().read_text())["items"]
+    assert [event["sequence"] for event in items] == list(range(len(items)))
+    assert items[-1]["kind"] == "execution_finished"
+    assert download.value.suggested_filename.startswith("ex_")
 
 
 def test_a_run_can_be_repeated_and_compared(open_page, finished):

@@ -1,6 +1,7 @@
 import re
 from http.server import BaseHTTPRequestHandler
 
+import httpx
 import pytest
 
 from app.domain.errors import ModelUnavailable
@@ -46,6 +47,18 @@ def test_broken_off_download_is_taken_up_where_it_stopped(tmp_path, weights, con
     assert part.read_bytes() == content
     assert log == [(f"/{weights.hub_path}", f"bytes={start}-") for start in (0, 100_000, 200_000)]
     assert told[-1][:2] == (250_000, 250_000)
+
+
+def test_a_file_may_lie_elsewhere(tmp_path, weights, content):
+    def answer(request):
+        if request.url.host == "hub.test":
+            return httpx.Response(302, headers={"Location": "https://files.test/one"})
+        return httpx.Response(206, stream=httpx.ByteStream(content))
+
+    part = tmp_path / "tiny.gguf.part"
+    part.touch()
+    ModelHub("https://hub.test", httpx.MockTransport(answer)).fetch(weights, part, nothing)
+    assert part.read_bytes() == content
 
 
 def test_hub_that_does_not_heed_ranges_is_read_from_the_start(tmp_path, weights, content, serve):

@@ -44,6 +44,14 @@ def test_json_is_sent_with_the_key_and_json_comes_back():
     assert request.content == b'{"prompt":"a"}'
 
 
+def test_the_key_does_not_go_where_a_request_is_sent_on_to():
+    moved = httpx.Response(307, headers={"Location": "https://elsewhere.test/v1/completions"})
+    service = Service(moved, good())
+    with pytest.raises(ModelUnavailable, match=r"moved to https://elsewhere\.test.*set that"):
+        service.transport.post("completions", {})
+    assert [request.url.host for request in service.requests] == ["models.test"]
+
+
 @pytest.mark.parametrize(
     "trouble",
     [

@@ -1,4 +1,5 @@
 import asyncio
+import threading
 import time
 
 import numpy as np
@@ -7,6 +8,7 @@ import pytest
 from app.domain.errors import NotThere
 from app.view.film import BEGINNING, Film
 from app.view.source import Footage
+from app.view.viewer import Viewer
 
 BLOCK = "/world/2"
 
@@ -72,6 +74,33 @@ def test_rollout_opened_again_is_not_read_again(viewer, rollout):
         with viewer.screening("done", "page") as screening:
             asyncio.run(screening.tick())
     assert rollout.asked == [0]
+
+
+def test_who_leaves_does_not_wait_for_who_comes(rollout, growing):
+    coming, ready = threading.Event(), threading.Event()
+
+    def find(execution_id):
+        if execution_id == "slow":
+            coming.set()
+            ready.wait(20)
+        return growing if execution_id == "slow" else rollout
+
+    viewer = Viewer(find)
+    view = viewer.screening("done", "page")
+    view.__enter__()
+    slow = viewer.screening("slow", "page")
+    other = threading.Thread(target=slow.__enter__)
+    other.start()
+    assert coming.wait(20)
+    leaving = threading.Thread(target=view.__exit__, args=(None, None, None))
+    leaving.start()
+    leaving.join(5)
+    waits = leaving.is_alive()
+    ready.set()
+    other.join(20)
+    leaving.join(20)
+    assert not waits
+    assert [key for key, _ in viewer._screenings] == ["slow"]
 
 
 def test_same_token_is_the_same_moment_and_another_is_not(viewer):

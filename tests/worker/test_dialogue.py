@@ -2,6 +2,8 @@
 
 import pytest
 
+from app.api.schemas.plans import ExecutionGiven
+from app.api.what_if import changed_execution
 from app.domain.errors import TaskDeclined
 from app.domain.trace import ExecutionStarted
 from app.llm.backends.scripted import Answer, ScriptedModel
@@ -9,6 +11,7 @@ from app.planners import planners
 from app.planners.progprompt import ProgPrompt
 from app.storage import events, executions, plans
 from app.storage.handover import execution_of
+from app.takeover import state_of
 from app.worker.planning import Planning
 from app.worker.situation import situation_of
 
@@ -71,6 +74,26 @@ def test_a_plan_whose_parent_was_never_carried_out_begins_with_the_scene(databas
     assert len(situation.task.history) == 1
 
 
+def test_planner_and_execution_take_over_the_same_of_a_try_that_came_to_nothing(
+    database, make_plan, work
+):
+    parent = make_plan()
+    [before] = work(parent, ONE)
+    plan_id = make_plan(parent=parent)
+    with database.transaction() as session:
+        plan = plans.get(session, plan_id)
+        lost = execution_of(session, plan)
+        lost.status, lost.program = "failed", "def f():\n    pass"
+        session.add(lost)
+        plan.tries = [{"program": "", "execution": lost.id, "outcome": "its worker died"}]
+    with database.reading() as session:
+        plan = plans.get(session, plan_id)
+        state = situation_of(session, plan).state
+        assert lost.begins_after == before
+        assert state is not None
+        assert state == state_of(session, execution_of(session, plan))
+
+
 def test_what_is_left_is_planned_anew_after_a_failed_step(
     make_plan, work, read_plan, read_execution
 ):
@@ -106,6 +129,20 @@ def test_no_more_is_planned_anew_than_was_asked_for(make_plan, work, read_plan):
     again = "    grab_and_putin('apple', 'cat')\n"
     assert len(work(plan_id, BURIED, again)) == 2
     assert read_plan(plan_id).status == "failed"
+
+
+def test_a_what_if_that_fails_does_not_have_the_plan_made_anew(
+    database, handover, make_plan, work, simulation, read_plan
+):
+    plan_id = make_plan(planner={"model": "scripted", "max_replans": 1}, goal=[])
+    work(plan_id, ONE)
+    with database.transaction() as session:
+        plan = plans.get(session, plan_id)
+        row = changed_execution(session, plan, ExecutionGiven(seed=1))
+        row.scene = row.scene | {"objects": row.scene["objects"][1:]}
+        what_if = handover.approved(session, plan, row).id
+    simulation(what_if)
+    assert (read_plan(plan_id).status, read_plan(plan_id).replans) == ("succeeded", 0)
 
 
 class Declining:

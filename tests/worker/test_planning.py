@@ -4,7 +4,9 @@ from app.domain.errors import ModelUnavailable
 from app.domain.trace import CompletionGrew
 from app.llm.backends.scripted import Answer, ScriptedModel
 from app.storage import events, executions, plans
+from app.worker import planning_recorder
 from app.worker.planning import Planning
+from app.worker.planning_recorder import PlanningRecorder
 from tests.engines import workflows_table
 
 
@@ -130,6 +132,21 @@ def test_a_plan_cancelled_while_the_model_writes_stops_there(
     Planning(database, handover, lambda *names: ScriptedModel(write))(plan_id)
     assert read_plan(plan_id).status == "cancelled"
     assert read_plan(plan_id).program is None
+
+
+def test_a_mere_question_whether_to_stop_is_answered_and_not_told(database, make_plan, monkeypatch):
+    plan_id = make_plan(status="planning")
+    recorder = PlanningRecorder(database, plan_id)
+    monkeypatch.setattr(planning_recorder, "FLUSH_INTERVAL", 60.0)
+    recorder.flush()
+    assert not recorder.report(CompletionGrew(text="pick"))
+    assert told(database, plan_id) == [], "waits for its turn to be written down"
+    monkeypatch.setattr(planning_recorder, "FLUSH_INTERVAL", 0.0)
+    assert not recorder.report(CompletionGrew(text=""))
+    with database.transaction() as session:
+        plans.get(session, plan_id).cancel_requested = True
+    assert recorder.report(CompletionGrew(text=""))
+    assert told(database, plan_id) == [CompletionGrew(text="pick")]
 
 
 def test_a_cancelled_plan_is_not_taken_up(database, make_plan, make_planning, read_plan):

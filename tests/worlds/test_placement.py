@@ -202,9 +202,10 @@ def test_all_faults_are_listed_not_only_the_first():
         SceneObject(name="cup", kind="no such thing"),
         SceneObject(name="", size=(1.0, 1.0, 1.0)),
     )
-    found = refusals(Scene(world="tabletop", objects=objects, environment="env0"))
+    found = refusals(Scene(world="tabletop", objects=objects, environment="env0", graph="{}"))
     assert set(found) == {
         "scene.environment",
+        "scene.graph",
         "scene.objects.0.colour",
         "scene.objects.0.position",
         "scene.objects.1.kind",

@@ -1,5 +1,6 @@
 """Executions: read one, follow it, see it, stop it."""
 
+from collections.abc import Sequence
 from typing import Annotated
 
 from fastapi import APIRouter, Header, Query, Response
@@ -9,7 +10,7 @@ from app.api.paging import MOST, Cursor, Limit, part, position
 from app.api.parts import Using
 from app.api.rollouts import StoredRollout
 from app.api.schemas.base import Page
-from app.api.schemas.executions import ExecutionShown, show_execution
+from app.api.schemas.executions import STEP_KINDS, ExecutionShown, show_execution
 from app.api.schemas.trace import event_view
 from app.api.streams import Ending, event_stream
 from app.api.what_if import repeated
@@ -35,14 +36,16 @@ def list_executions(
     with parts.database.reading() as session:
         before = position(cursor)
         rows = executions.page(session, before=before, limit=limit + 1, plan_id=plan_id)
-        return part(rows, limit, lambda row: _shown(session, row))
+        shown = {row.id: view for row, view in zip(rows, _shown(session, rows), strict=True)}
+    return part(rows, limit, lambda row: shown[row.id])
 
 
 @router.get("/{execution_id}", response_model=ExecutionShown)
 def read_execution(execution_id: str, parts: Using) -> Response:
     """One execution: its steps so far, its scores, how everything stands at the end."""
     with parts.database.reading() as session:
-        return written(_shown(session, executions.get(session, execution_id)))
+        [shown] = _shown(session, [executions.get(session, execution_id)])
+    return written(shown)
 
 
 @router.get("/{execution_id}/trace", response_model=Page)
@@ -133,12 +136,15 @@ def cancel_execution(execution_id: str, parts: Using) -> ExecutionShown:
         row = executions.get(session, execution_id, lock=True)
         if row.status == "queued":
             row.status, row.finished_at = "cancelled", now()
-            parts.handover.executed(session, plan, status="cancelled", error=None)
+            parts.handover.executed(session, plan, row, status="cancelled", error=None)
         elif row.status not in ("executing", "cancelled"):
             raise Conflict(f"the execution is {row.status} already")
         row.cancel_requested = True
-        return show_execution(row, plan, events.all_of(session, execution_id))
+        [shown] = _shown(session, [row])
+        return shown
 
 
-def _shown(session: Session, row: ExecutionRow) -> ExecutionShown:
-    return show_execution(row, plans.get(session, row.plan_id), events.all_of(session, row.id))
+def _shown(session: Session, rows: Sequence[ExecutionRow]) -> list[ExecutionShown]:
+    asked = plans.several(session, {row.plan_id for row in rows})
+    told = events.of_kinds(session, [row.id for row in rows], STEP_KINDS)
+    return [show_execution(row, asked[row.plan_id], told[row.id]) for row in rows]

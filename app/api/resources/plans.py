@@ -80,14 +80,16 @@ async def follow_plan(
 
 @router.post("/{plan_id}/executions", status_code=202, response_model=ExecutionShown)
 def execute_plan(plan_id: str, parts: Using, request: ExecutionGiven | None = None) -> Response:
-    """Carry the plan out once more, or for the first time where it was only planned."""
+    """Carry the plan out once more, or for the first time where it was only planned.
+
+    With anything changed it is a what-if, which leaves the plan's status as it is.
+    """
     with parts.database.reading() as session:
         row = plans.get(session, plan_id)
         wanted = changed_execution(session, row, request or ExecutionGiven())
     with parts.database.transaction() as session:
         row = plans.get(session, plan_id, lock=True)
         _must_be_runnable(row)
-        row.cancel_requested = row.cancel_requested and row.status == "executing"
         execution = parts.handover.approved(session, row, wanted)
         shown = show_execution(execution, row, [])
     return written(shown, 202, {"Location": f"/executions/{execution.id}"})

@@ -11,9 +11,12 @@ from app.api.schemas.scenes import SceneShown
 from app.domain.trace import ActionFailed, ActionPerformed, ActionStarted, CallSkipped, Event
 from app.rollout import understand
 from app.storage.documents import plan_columns, read_scene
-from app.storage.executions import ExecutionRow, Status
+from app.storage.executions import UNFINISHED, ExecutionRow, Status
 from app.storage.plans import PlanRow
 from app.worlds import worlds
+
+STEP_KINDS = ("action_started", "action_performed", "action_failed", "call_skipped")
+"""The kinds of events that tell what became of the steps."""
 
 
 class StepOutcome(Shown):
@@ -22,7 +25,9 @@ class StepOutcome(Shown):
     line: int
     action: str | None
     arguments: list[str | float]
-    outcome: Literal["pending", "running", "performed", "failed", "skipped"]
+    outcome: Literal["pending", "running", "performed", "failed", "skipped", "stopped"] = Field(
+        description="`stopped`: the execution ended, cancelled or given up, while it was running."
+    )
     attempts: int | None = None
     stage: str | None = Field(
         default=None, description="Where it failed: `grounding`, `grasp`, `lift` …"
@@ -62,6 +67,9 @@ class ExecutionShown(Shown):
     identical: bool | None = Field(
         description="Whether its trace is that of `rerun_of`, bit for bit."
     )
+    what_if: bool = Field(
+        description="Something was changed for it; like a repetition, it leaves the plan as it is."
+    )
     steps: list[StepOutcome] = Field(
         description="Attempted calls in the order of their turns, recoveries included, then those to come."
     )
@@ -75,12 +83,12 @@ class ExecutionShown(Shown):
 
 
 def show_execution(row: ExecutionRow, plan: PlanRow, events: Sequence[Event]) -> ExecutionShown:
-    """The execution as clients see it."""
+    """The execution as clients see it; of its events those of ``STEP_KINDS`` are needed."""
     names = ExecutionShown.model_fields.keys() - {"steps"}
     return ExecutionShown.model_validate(
         {
             **{name: getattr(row, name) for name in names},
-            "steps": _outcomes(_steps(row, plan), events),
+            "steps": _outcomes(_steps(row, plan), events, over=row.status not in UNFINISHED),
         }
     )
 
@@ -94,7 +102,9 @@ def _steps(row: ExecutionRow, plan: PlanRow) -> list[dict[str, Any]]:
     return [step for step in steps if step["line"] >= (row.begins_at_line or 0)]
 
 
-def _outcomes(steps: Sequence[dict[str, Any]], events: Sequence[Event]) -> list[StepOutcome]:
+def _outcomes(
+    steps: Sequence[dict[str, Any]], events: Sequence[Event], *, over: bool
+) -> list[StepOutcome]:
     reached: list[StepOutcome] = []
     for event in events:
         match event:
@@ -125,6 +135,8 @@ def _outcomes(steps: Sequence[dict[str, Any]], events: Sequence[Event]) -> list[
                 )
             case _:
                 pass
+    if over and reached and reached[-1].outcome == "running":
+        _update(reached, outcome="stopped")
     lines = {step.line for step in reached}
     to_come = [
         StepOutcome(

@@ -77,7 +77,7 @@ class PlannerGiven(Given):
     state_check: Literal["world", "model", "both"] = Field(
         default="world",
         description="Who decides assertions: the world itself, the model by the paper's "
-        "state-check prompt, or both side by side, where the model's word counts.",
+        "state-check prompt, or both side by side, where the world's word counts.",
     )
 
 

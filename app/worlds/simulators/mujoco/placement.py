@@ -66,6 +66,9 @@ def complete(scene: Scene, seed: int) -> Scene:
     if scene.environment is not None:
         message = "the tabletop has no ready-made environments; leave it out and list objects"
         faults.append(Fault(field="scene.environment", message=message))
+    if scene.graph is not None:
+        message = "the tabletop takes no home of one's own; leave it out, or world='household'"
+        faults.append(Fault(field="scene.graph", message=message))
     robot = scene.robot or DEFAULT_ARM
     if robot not in arms:
         message = f"there is no robot {robot[:40]!r}; there is {', '.join(arms)}"

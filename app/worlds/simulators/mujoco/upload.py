@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Literal
 
-from app.domain.errors import AssetRefused, Fault
+from app.domain.errors import AssetRefused, Busy, Fault
 
 Format = Literal["obj", "stl", "glb", "xml", "zip"]
 """Of the last two, the XML is MJCF: alone, or in the zip with its meshes."""
@@ -19,6 +19,10 @@ PROCESSOR, PATIENCE = 60, 120.0
 """Seconds of processor time, and of waiting, after which a mesh is given up."""
 AT_ONCE = threading.BoundedSemaphore(1)
 """Uploads take turns, so that no number of them takes the machine from the simulations."""
+TURN = 2.0
+"""How long one waits for its turn [s]; who waits holds a thread that others' requests need."""
+RETRY_AFTER = 20
+"""What a mesh takes, roughly [s]."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,28 +59,39 @@ def digest(data: bytes, upload: Upload) -> Digested:
 
     Raises:
         AssetRefused: it cannot be had as an object; the fault names what would help.
+        Busy: others' meshes are being read.
     """
-    given = json.dumps(asdict(upload)).encode() + b"\n" + data
-    with AT_ONCE:
-        try:
-            done = subprocess.run(
-                [sys.executable, "-m", QUARANTINE],
-                input=given,
-                capture_output=True,
-                env=_environment(),
-                timeout=PATIENCE,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            raise _given_up(upload) from None
-    if done.returncode:
-        raise _given_up(upload)
-    line, _, shape = done.stdout.partition(b"\n")
+    if not AT_ONCE.acquire(timeout=TURN):
+        message = "the meshes of others are being read; send this one again a little later"
+        raise Busy(message, retry_after=RETRY_AFTER)
+    try:
+        told = _quarantined(data, upload)
+    finally:
+        AT_ONCE.release()
+    line, _, shape = told.partition(b"\n")
     answer = json.loads(line)
     if "faults" in answer:
         raise AssetRefused(*(Fault(**fault) for fault in answer["faults"]))
     length, width, height = answer.pop("size")
     return Digested(size=(length, width, height), shape=shape, **answer)
+
+
+def _quarantined(data: bytes, upload: Upload) -> bytes:
+    """What the process told: a line of JSON, then the shape."""
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", QUARANTINE],
+            input=json.dumps(asdict(upload)).encode() + b"\n" + data,
+            capture_output=True,
+            env=_environment(),
+            timeout=PATIENCE,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        raise _given_up(upload) from None
+    if done.returncode:
+        raise _given_up(upload)
+    return done.stdout
 
 
 def _environment() -> dict[str, str]:

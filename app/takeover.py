@@ -27,11 +27,19 @@ def state_of(session: Session, row: ExecutionRow) -> bytes | None:
         return None
     other = executions.get(session, row.begins_after)
     if row.begins_at_line is None:
-        step = checkpoints.END
-    else:
-        step = _index(steps_of(other), row.begins_at_line)
-    found = checkpoints.before(session, other.id, step)
-    return state_of(session, _at_its_start(other)) if found is None else found
+        return state_after(session, other.id)
+    return _state_before(session, other, _index(steps_of(other), row.begins_at_line))
+
+
+def state_after(session: Session, execution_id: str) -> bytes | None:
+    """The state at the end of an execution; None where that is the scene as described."""
+    return _state_before(session, executions.get(session, execution_id), checkpoints.END)
+
+
+def _state_before(session: Session, row: ExecutionRow, step: int) -> bytes | None:
+    """The state before a step of an execution; one that kept none left what it had taken over."""
+    found = checkpoints.before(session, row.id, step)
+    return state_of(session, _at_its_start(row)) if found is None else found
 
 
 def _index(plan: Plan, line: int) -> int:
