@@ -10,6 +10,7 @@ from pathlib import Path
 from fastapi import FastAPI
 from fastapi.responses import FileResponse, Response
 from fastapi.staticfiles import StaticFiles
+from fastapi_offline import FastAPIOffline
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from app.api import resources
@@ -31,7 +32,10 @@ def create_app(parts: Parts, viewer: Viewer | None = None) -> FastAPI:
         parts.jobs.close()
         parts.database.close()
 
-    app = FastAPI(title="ProgPrompt", version="1", description=DESCRIPTION, lifespan=lifespan)
+    # FastAPI's own pages of documentation fetch their scripts from the net.
+    app = FastAPIOffline(
+        title="ProgPrompt", version="1", description=DESCRIPTION, lifespan=lifespan
+    )
     app.state.parts = parts
     app.state.viewer = viewer
     app.state.requests = Counter()

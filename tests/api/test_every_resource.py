@@ -1,5 +1,7 @@
 """One look at everything the service offers."""
 
+import re
+
 import pytest
 
 from app.storage import scenes, workers
@@ -110,3 +112,12 @@ def test_metrics_count_requests_and_plans(client, executed):
     assert 'progprompt_plans{status="succeeded"} 1' in lines
     assert 'progprompt_executions{status="succeeded"} 1' in lines
     assert 'progprompt_requests_total{method="POST",route="/plans",status="202"} 1' in lines
+
+
+def test_the_documentation_needs_no_other_host(client):
+    for path in ("/docs", "/redoc"):
+        page = client.get(path).text
+        fetched = re.findall(r'(?:src|href)="([^"]+)"', page)
+        assert fetched
+        assert all(address.startswith("/") for address in fetched)
+        assert all(client.get(address).status_code == 200 for address in fetched)
