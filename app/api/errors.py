@@ -11,6 +11,7 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from starlette.exceptions import HTTPException
 
+from app.api.known_fields import known_fields
 from app.domain.errors import (
     Busy,
     Cancelled,
@@ -95,7 +96,7 @@ def _on_ours(_request: Request, error: Exception) -> Problem:
 def _on_invalid(request: Request, error: Exception) -> Problem:
     assert isinstance(error, RequestValidationError)
     found = error.errors()
-    faults = [_fault(entry) for entry in found]
+    faults = [_fault(entry, request) for entry in found]
     if any(entry["type"] == "json_invalid" for entry in found):
         return Problem(400, "the body is not JSON", kind="malformed-json", faults=faults)
     kind = request.headers.get("content-type", "")
@@ -109,12 +110,14 @@ def _told(faults: Sequence[Fault]) -> str:
     return f"{told}; and {len(faults) - FIRST} more" if len(faults) > FIRST else told
 
 
-def _fault(entry: dict[str, Any]) -> Fault:
+def _fault(entry: dict[str, Any], request: Request) -> Fault:
     """A finding of pydantic; the place it was found in goes without ``body`` or ``query``."""
     place = [str(part) for part in entry["loc"][1:]]
     message = str(entry["msg"])
     if entry["type"] == "json_invalid":
         return Fault(field="body", message=f"not JSON at character {place[0]}: {message}")
+    if entry["type"] == "extra_forbidden" and (known := known_fields(request, entry["loc"][1:-1])):
+        message = f"is not known here; known are {', '.join(known)}"
     if entry["type"] == "value_error":
         named, _, rest = message.removeprefix("Value error, ").partition(": ")
         place, message = ([*place, named], rest) if rest else (place, named)

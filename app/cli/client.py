@@ -1,5 +1,6 @@
 """The service as the command line sees it: a few calls over HTTP, with errors people can read."""
 
+import contextlib
 import json
 import time
 from collections.abc import Iterator
@@ -35,6 +36,11 @@ class ServiceClient:
     def create_plan(self, request: dict[str, Any]) -> dict[str, Any]:
         """``POST /plans``."""
         return self._answer("POST", "/plans", json=request)
+
+    def cancel(self, path: str) -> None:
+        """Stop what is under way at ``path``; nothing happens where it is over already."""
+        with contextlib.suppress(click.ClickException):
+            self._request("POST", f"{path}/cancel")
 
     def get(self, path: str) -> dict[str, Any]:
         """The resource at ``path``."""
@@ -94,17 +100,17 @@ class ServiceClient:
                 f"{method} {path}: {error or type(error).__name__}"
             ) from error
         if answer.is_error:
-            raise click.ClickException(_problem(answer))
+            raise click.ClickException(problem(answer))
         return answer
 
 
-def _problem(answer: httpx.Response) -> str:
+def problem(answer: httpx.Response) -> str:
     """A problem document (RFC 9457) in lines for people."""
     try:
         document = answer.json()
     except ValueError:
         return f"{answer.status_code} {answer.reason_phrase}"
     lines = [document.get("detail") or document.get("title") or str(answer.status_code)]
-    for fault in document.get("errors", ()):
-        lines.append(f"  {fault.get('field')}: {fault.get('message')}")
+    told = (f"{fault.get('field')}: {fault.get('message')}" for fault in document.get("errors", ()))
+    lines += [f"  {fault}" for fault in told if fault not in lines[0]]
     return "\n".join(lines)

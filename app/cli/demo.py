@@ -55,7 +55,8 @@ def command(
             _until_interrupted(process)
         else:
             again = " ".join(["progprompt serve", *options])
-            console.print(f"[dim]the run is kept; to watch it, start the service: {again}[/dim]")
+            console.print("[dim]the run is kept; to watch it, start the service:[/dim]")
+            click.echo(again)  # unbroken, to be copied
     raise SystemExit(0 if succeeded else 1)
 
 

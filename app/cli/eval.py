@@ -46,6 +46,14 @@ def command() -> None:
 command.add_command(paper)
 
 
+def _nothing_left(suite: Suite) -> str:
+    categories = ", ".join(sorted({task.category for task in suite.tasks}))
+    return (
+        f"no task is left of the {len(suite.tasks)} in {suite.name}; choose fewer options "
+        f"(the categories are {categories})"
+    )
+
+
 def _suite_command(name: str) -> click.Command:
     @click.command(name, help=f"Measure on the suite {Path(name).stem}.")
     @click.option("--planner", "planners", multiple=True, help="Several compare. [default: best]")
@@ -103,7 +111,7 @@ def _suite_command(name: str) -> click.Command:
             split=split, categories=categories, names=names, limit=limit
         )
         if not suite.tasks:
-            raise click.ClickException("no task is left; choose fewer options")
+            raise click.ClickException(_nothing_left(read(name, household_data, part)))
         given = {key: value for key, value in switches.items() if value is not None}
         try:
             cells = make_cells(suite, planners, models, given)

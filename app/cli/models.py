@@ -15,7 +15,6 @@ from rich.progress import (
     TimeRemainingColumn,
     TransferSpeedColumn,
 )
-from rich.table import Table
 
 from app.domain.errors import ProgPromptError
 from app.llm.embeddings import EMBEDDINGS
@@ -52,15 +51,13 @@ def list_models(as_json: bool) -> None:
         rows = [_row(spec, store) for spec in catalogue(config)]
         click.echo(json.dumps({"items": rows}, indent=2))
         return
-    table = Table("name", "size", "licence", "weights", box=None)
-    table.add_column("where", overflow="fold")
     for spec in catalogue(config):
         name = ", ".join((spec.name, *spec.aliases))
         size = f"{spec.weights.bytes / 1e6:,.0f} MB" if spec.weights else ""
         status = store.status(spec.weights) if spec.weights else "not needed"
         where = str(store.path(spec.weights)) if spec.weights else spec.title
-        table.add_row(*map(escape, (name, size, spec.licence, status, where)))
-    Console(soft_wrap=True).print(table)
+        click.echo("  ".join(part for part in (name, size, status, spec.licence) if part))
+        click.echo(f"    {where}")
 
 
 @command.command()

@@ -13,6 +13,9 @@ from app.cli.client import ServiceClient
 from app.cli.narrator import Narrator
 
 DEFAULT_URL = "http://127.0.0.1:8000"
+BEST = "best"
+INTERRUPTED = 130
+"""Exit code of what Ctrl-C ended."""
 
 
 @click.command()
@@ -26,7 +29,7 @@ DEFAULT_URL = "http://127.0.0.1:8000"
 @click.option("--robot", help="A robot of the catalogue; default the one the scene names.")
 @click.option("--goal", "goals", multiple=True, help="A goal condition; give it several times.")
 @click.option("--seed", default=0, show_default=True, help="Seed of free positions and sampling.")
-@click.option("--planner", help="A planner of the catalogue; default the one best in the world.")
+@click.option("--planner", default=BEST, help="[default: the one that does best in the world]")
 @click.option("--model", default="default", show_default=True)
 @click.option(
     "--set",
@@ -46,7 +49,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     robot: str | None,
     goals: tuple[str, ...],
     seed: int,
-    planner: str | None,
+    planner: str,
     model: str,
     switches: tuple[str, ...],
     no_execute: bool,
@@ -68,7 +71,7 @@ def command(  # noqa: PLR0913 - one parameter per option
     }
     if robot:
         request["scene"]["robot"] = robot
-    if planner:
+    if planner != BEST:
         request["planner"]["name"] = planner
     if goals:
         request["goal"] = list(goals)
@@ -131,8 +134,27 @@ def carry_out(
     """Post the request, narrate it to its end, through every new try, and give the plan."""
     narrator = Narrator(console)
     plan = client.create_plan(request)
-    address = f"/plans/{plan['id']}"
     narrator.plan_accepted(plan)
+    try:
+        plan, execution = _followed(client, plan, narrator)
+    except KeyboardInterrupt:
+        client.cancel(f"/plans/{plan['id']}")
+        console.print("\n[yellow]cancelled[/yellow]; the robot stops where it is")
+        narrator.where_to_watch(client.url, plan)
+        raise SystemExit(INTERRUPTED) from None
+    if execution is not None:
+        narrator.execution_over(plan, execution)
+    narrator.where_to_watch(client.url, plan)
+    if as_json:
+        click.echo(json.dumps({"plan": plan, "execution": execution}))
+    return plan
+
+
+def _followed(
+    client: ServiceClient, plan: dict[str, Any], narrator: Narrator
+) -> tuple[dict[str, Any], dict[str, Any] | None]:
+    """The plan at its end and its last execution, all told as it happens."""
+    address = f"/plans/{plan['id']}"
     execution, last = None, -1
     while plan["status"] in ("queued", "planning", "executing"):
         for event in client.events(f"{address}/events", after=last):
@@ -147,9 +169,4 @@ def carry_out(
             narrator.tell(event)
         execution = client.get(location)
         plan = client.get(address)
-    if execution is not None:
-        narrator.execution_over(plan, execution)
-    narrator.where_to_watch(client.url, plan)
-    if as_json:
-        click.echo(json.dumps({"plan": plan, "execution": execution}))
-    return plan
+    return plan, execution

@@ -212,3 +212,15 @@ def test_a_method_that_is_not_for_this_place_is_refused(standing, problem_of):
 def test_a_good_request_is_taken_after_a_bad_one(standing, request_body):
     assert posting(standing, request_body | {"seed": -1}).status_code == 422
     assert posting(standing, request_body).status_code == 202
+
+
+def test_an_unknown_field_is_told_which_are_known(client):
+    for body, known in (
+        (scene({"name": "cup", "weight": 3}), "known are name, kind"),
+        ({**scene({"name": "cup"}), "planner": {"foo": 1}}, "max_replans"),
+        ({**scene({"name": "cup"}), "colour": 1}, "instruction"),
+    ):
+        (fault,) = [
+            e for e in posting(client, body).json()["errors"] if "not known" in e["message"]
+        ]
+        assert known in fault["message"]

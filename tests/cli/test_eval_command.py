@@ -113,6 +113,7 @@ def test_a_suite_in_a_file_is_linted_and_measured(run, tmp_path):
 def test_a_choice_that_leaves_no_task_is_refused(run, tmp_path):
     told = run("tabletop", "--task", "nonsense", "--out", tmp_path / "none", code=1)
     assert "no task is left" in told
+    assert "the categories are" in told
 
 
 def test_an_unknown_planner_is_refused_with_the_names_of_those_there_are(run, tmp_path):

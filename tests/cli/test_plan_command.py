@@ -1,9 +1,12 @@
 import json
 
+import httpx
 import pytest
 from click.testing import CliRunner
+from rich.console import Console
 
-from app.cli.plan import command, following
+from app.cli.client import problem
+from app.cli.plan import carry_out, command, following
 
 NOBODY = "http://127.0.0.1:9"
 
@@ -57,3 +60,39 @@ def test_the_next_sentence_of_a_talk_keeps_what_the_options_asked_for():
     assert second["instruction"] == "now the other one"
     assert (second["seed"], second["execute"], second["planner"]) == (3, False, {"model": "x"})
     assert following(second, "pl_2", "and back")["execute"] is False
+
+
+def test_a_problem_is_told_once():
+    document = {
+        "detail": "seed: is no number",
+        "errors": [{"field": "seed", "message": "is no number"}],
+    }
+    assert problem(httpx.Response(422, json=document)) == "seed: is no number"
+    document["errors"].append({"field": "goal.0", "message": "is empty"})
+    assert problem(httpx.Response(422, json=document)).splitlines() == [
+        "seed: is no number",
+        "  goal.0: is empty",
+    ]
+
+
+def test_an_interrupt_cancels_the_plan_and_says_so(capsys):
+    class Interrupted:
+        url, asked = "http://robot", ""
+
+        def create_plan(self, request):
+            return {"id": "pl_1", "status": "queued", "instruction": "go", "scene": {}}
+
+        def events(self, path, after=-1):
+            raise KeyboardInterrupt
+
+        def cancel(self, path):
+            self.asked = path
+
+    client = Interrupted()
+    with pytest.raises(SystemExit) as ended:
+        carry_out(client, {}, Console())
+    assert ended.value.code == 130
+    assert client.asked == "/plans/pl_1"
+    told = capsys.readouterr().out
+    assert "cancelled" in told
+    assert "http://robot/#/plans/pl_1" in told
