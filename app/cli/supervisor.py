@@ -9,11 +9,11 @@ from collections.abc import Mapping
 
 import click
 
+from app.lifeline import STOP_LIMIT
 from app.storage.jobs import Queue
 
 FIRST_PAUSE, LONGEST_PAUSE = 0.1, 10.0  # [s] before a worker is started again
 LONG_LIFE = 20.0  # [s] after which a worker's death is no longer counted with the ones before
-STOP_LIMIT = 5.0  # [s] that workers are given to stop in good order
 
 
 class Supervisor:
@@ -40,7 +40,7 @@ class Supervisor:
         """End all workers, in good order if they can."""
         self._stopping.set()
         for process in list(self._processes.values()):
-            process.terminate()
+            _let_go(process)
         deadline = time.monotonic() + STOP_LIMIT
         for thread in self._threads:
             thread.join(max(0.0, deadline - time.monotonic()))
@@ -62,22 +62,20 @@ class Supervisor:
             self._stopping.wait(pause)
 
     def _run(self, queue: Queue, worker_id: str) -> int:
-        """One life of a worker; its standard input ends when this process does."""
-        process = subprocess.Popen(
-            [
-                sys.executable,
-                "-m",
-                "app.cli",
-                "worker",
-                f"--queue={queue}",
-                f"--id={worker_id}",
-                "--supervised",
-            ],
+        """One life of a worker; its standard input is its lifeline."""
+        command = [sys.executable, "-m", "app.cli", "worker", f"--queue={queue}"]
+        with subprocess.Popen(
+            [*command, f"--id={worker_id}", "--supervised"],
             stdin=subprocess.PIPE,
             env=self._environment,
-        )
-        self._processes[worker_id] = process
-        click.echo(f"started {worker_id} (process {process.pid})")
-        if self._stopping.is_set():
-            process.terminate()
-        return process.wait()
+        ) as process:
+            self._processes[worker_id] = process
+            click.echo(f"started {worker_id} (process {process.pid})")
+            if self._stopping.is_set():
+                _let_go(process)
+            return process.wait()
+
+
+def _let_go(process: subprocess.Popen[bytes]) -> None:
+    if process.stdin is not None:
+        process.stdin.close()

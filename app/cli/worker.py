@@ -4,15 +4,14 @@ import logging
 import os
 import signal
 import sys
-import threading
 from types import FrameType
 
 import click
 
+from app.lifeline import follow
 from app.main.worker import create_worker
 from app.settings import Settings
 from app.storage.jobs import QUEUES, Queue
-from app.worker.process import WorkerProcess
 
 
 @click.command()
@@ -35,15 +34,8 @@ def command(queue: Queue, worker_id: str, supervised: bool) -> None:
         worker.stop()
 
     signal.signal(signal.SIGTERM, stop)
-    signal.signal(signal.SIGINT, signal.SIG_IGN if supervised else stop)
+    signal.signal(signal.SIGINT, stop)
     if supervised:
-        threading.Thread(target=_until_orphaned, args=(worker,), daemon=True).start()
+        follow(sys.stdin.fileno(), worker.stop)
     worker.run()
     os._exit(0)  # The item under way runs in a thread that would keep the process alive.
-
-
-def _until_orphaned(worker: WorkerProcess) -> None:
-    """Standard input ends with the process that holds its other end."""
-    while os.read(sys.stdin.fileno(), 1):
-        pass
-    worker.stop()
