@@ -10,7 +10,7 @@ from pathlib import Path
 
 from app.evaluation.attempt import OpenModel, Unit, attempt
 from app.evaluation.processes import processes
-from app.evaluation.results import Cell, Result, read_results, write_result
+from app.evaluation.results import Cell, Result, open_results, read_results, write_result
 from app.evaluation.suites import Suite
 from app.evaluation.tasks import ENGLISH
 
@@ -126,7 +126,7 @@ def evaluate_units(
     done, clock = len(units) - len(waiting), Clock(seconds)
     stopped = report(Progress(done=done, total=len(units), seconds_left=None))
     attempts = _attempts([] if stopped else waiting, open_models, jobs, clock)
-    with (out / RESULTS).open("a", encoding="utf-8") as file, closing(attempts):
+    with open_results(out / RESULTS) as file, closing(attempts):
         for result in attempts:
             results[result.key] = result
             write_result(file, result)
