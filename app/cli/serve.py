@@ -99,7 +99,7 @@ def _tell_when_ready(settings: Settings, url: str, stopping: threading.Event) ->
 
 @contextmanager
 def _only_one(data: Path) -> Iterator[None]:
-    """Hold the data directory: two services on it would take each other's work."""
+    """Hold the data directory: a second service on it would be a slip, not a wish."""
     with (data / "serve.lock").open("a+") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
