@@ -11,6 +11,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, TextColumn
 from rich.progress import Progress as Bar
 
+from app.cli.endings import interrupted
 from app.domain.errors import ProgPromptError
 from app.evaluation.attempt import Unit
 from app.evaluation.results import Result, read_results
@@ -54,9 +55,10 @@ def run(units: Sequence[Unit], out: Path, jobs: int, seconds: float | None) -> l
             return False
 
         try:
-            return evaluate_units(
-                units, open_models(jobs), out, jobs=jobs, seconds=seconds, report=tell
-            )
+            with interrupted():
+                return evaluate_units(
+                    units, open_models(jobs), out, jobs=jobs, seconds=seconds, report=tell
+                )
         except KeyboardInterrupt:
             known = {result.key: result for result in read_results(out / RESULTS)}
             return [known[unit.key] for unit in units if unit.key in known]

@@ -14,7 +14,7 @@ from app.evaluation.comparison import compare
 from app.evaluation.household_data import Part, read_household
 from app.evaluation.linter import lint
 from app.evaluation.metrics import BY_NAME, METRICS
-from app.evaluation.results import Verdict, read_results, write_result
+from app.evaluation.results import Verdict, open_results, read_results, write_result
 from app.evaluation.runs import RESULTS, Evaluation
 from app.evaluation.suites import Suite, find_suite, read_suite, suites
 from app.evaluation.tables import markdown, tables
@@ -188,5 +188,5 @@ def give_verdict(folder: Path, key: str, success: bool, note: str) -> None:
     if key not in results:
         raise click.ClickException(f"there is no result {key!r} in {folder}")
     judged = replace(results[key], verdict=Verdict(success=success, note=note))
-    with (folder / RESULTS).open("a", encoding="utf-8") as file:
+    with open_results(folder / RESULTS) as file:
         write_result(file, judged)

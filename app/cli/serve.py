@@ -14,6 +14,7 @@ from pathlib import Path
 import click
 import uvicorn
 
+from app.cli.endings import interrupted
 from app.cli.supervisor import Supervisor
 from app.main.database import migrate, waits_for
 from app.main.service import create_service
@@ -64,15 +65,16 @@ def _serve(settings: Settings, listener: socket.socket, url: str) -> None:
     stopping = threading.Event()
     telling = threading.Thread(target=_tell_when_ready, args=(settings, url, stopping), daemon=True)
     try:
-        config = uvicorn.Config(
-            create_service(settings),
-            log_level="warning",
-            timeout_graceful_shutdown=SHUTDOWN_LIMIT,
-            ws_max_size=2**26,
-            ws_per_message_deflate=False,  # viser compresses what is worth it
-        )
-        telling.start()
-        uvicorn.Server(config).run(sockets=[listener])
+        with interrupted():
+            config = uvicorn.Config(
+                create_service(settings),
+                log_level="warning",
+                timeout_graceful_shutdown=SHUTDOWN_LIMIT,
+                ws_max_size=2**26,
+                ws_per_message_deflate=False,  # viser compresses what is worth it
+            )
+            telling.start()
+            uvicorn.Server(config).run(sockets=[listener])
     except KeyboardInterrupt:
         pass
     finally:
@@ -97,7 +99,7 @@ def _tell_when_ready(settings: Settings, url: str, stopping: threading.Event) ->
 
 @contextmanager
 def _only_one(data: Path) -> Iterator[None]:
-    """Hold the data directory: two services on it would take each other's work."""
+    """Hold the data directory: a second service on it would be a slip, not a wish."""
     with (data / "serve.lock").open("a+") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -4,46 +4,39 @@ import logging
 import os
 import signal
 import sys
-import threading
 from types import FrameType
 
 import click
 
+from app.lifeline import follow
 from app.main.worker import create_worker
 from app.settings import Settings
 from app.storage.jobs import QUEUES, Queue
-from app.worker.process import WorkerProcess
 
 
 @click.command()
 @click.option("--queue", type=click.Choice(QUEUES), required=True, help="What it works on.")
 @click.option(
+    "--name",
     "--id",
-    "worker_id",
-    required=True,
-    help="Its name, like simulation-1: a worker that comes back under it goes on with its work.",
+    "name",
+    help="What its id begins with, like simulation-1.  [default: its queue]",
 )
 @click.option("--supervised", is_flag=True, hidden=True, help="End when standard input does.")
-def command(queue: Queue, worker_id: str, supervised: bool) -> None:
+def command(queue: Queue, name: str | None, supervised: bool) -> None:
     """Work on one queue of a service, until interrupted."""
-    logging.basicConfig(level=logging.INFO, format=f"{worker_id}: %(message)s", stream=sys.stderr)
+    name = name or queue
+    logging.basicConfig(level=logging.INFO, format=f"{name}: %(message)s", stream=sys.stderr)
     for noisy in ("httpx", "alembic", "dbos"):
         logging.getLogger(noisy).setLevel(logging.WARNING)
-    worker = create_worker(Settings.from_environment(), queue, worker_id)
+    worker = create_worker(Settings.from_environment(), queue, name)
 
     def stop(_number: int, _frame: FrameType | None) -> None:
         worker.stop()
 
     signal.signal(signal.SIGTERM, stop)
-    signal.signal(signal.SIGINT, signal.SIG_IGN if supervised else stop)
+    signal.signal(signal.SIGINT, stop)
     if supervised:
-        threading.Thread(target=_until_orphaned, args=(worker,), daemon=True).start()
+        follow(sys.stdin.fileno(), worker.stop)
     worker.run()
     os._exit(0)  # The item under way runs in a thread that would keep the process alive.
-
-
-def _until_orphaned(worker: WorkerProcess) -> None:
-    """Standard input ends with the process that holds its other end."""
-    while os.read(sys.stdin.fileno(), 1):
-        pass
-    worker.stop()

@@ -1,11 +1,9 @@
 """Pick benchmark: random objects from random tables into random containers."""
 
-import multiprocessing
 import statistics
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -17,6 +15,7 @@ from app.domain.perception import Perception
 from app.domain.scene import Scene, SceneObject
 from app.domain.world import ObjectKind
 from app.evaluation.intervals import wilson
+from app.evaluation.processes import processes
 from app.worlds.simulators.mujoco.arms import DEFAULT_ARM
 from app.worlds.simulators.mujoco.objects import kinds
 from app.worlds.tabletop import Tabletop
@@ -106,8 +105,7 @@ def _results(
     if workers == 1:
         yield from map(run, tasks)
         return
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(max_workers=workers, mp_context=context) as pool:
+    with processes(workers) as pool:
         yield from pool.map(run, tasks)
 
 

@@ -109,13 +109,21 @@ def read_results(path: Path) -> list[Result]:
     if not path.exists():
         return []
     found: dict[str, Result] = {}
-    for line in path.read_text(encoding="utf-8").splitlines():
+    for line in path.read_text(encoding="utf-8", errors="replace").split("\n"):
         try:
             result = _ONE.validate_json(line)
         except ValueError:
             continue
         found[result.key] = result
     return list(found.values())
+
+
+def open_results(path: Path) -> TextIO:
+    """The file, to add results to; after half a line that a death left, a new one begins."""
+    file = path.open("a", encoding="utf-8")
+    if path.read_bytes()[-1:] not in (b"", b"\n"):
+        file.write("\n")
+    return file
 
 
 def write_result(file: TextIO, result: Result) -> None:

@@ -1,14 +1,16 @@
 """Runs: all attempts of an evaluation, over processes, continued where an earlier run stopped."""
 
-import multiprocessing
 import time
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Container, Generator, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from contextlib import ExitStack, closing
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 from app.evaluation.attempt import OpenModel, Unit, attempt
-from app.evaluation.results import Cell, Result, read_results, write_result
+from app.evaluation.processes import processes
+from app.evaluation.results import Cell, Result, open_results, read_results, write_result
 from app.evaluation.suites import Suite
 from app.evaluation.tasks import ENGLISH
 
@@ -123,8 +125,8 @@ def evaluate_units(
     waiting = [unit for unit in units if unit.key not in results]
     done, clock = len(units) - len(waiting), Clock(seconds)
     stopped = report(Progress(done=done, total=len(units), seconds_left=None))
-    attempts = iter(()) if stopped else _attempts(waiting, open_models, jobs, clock)
-    with (out / RESULTS).open("a", encoding="utf-8") as file:
+    attempts = _attempts([] if stopped else waiting, open_models, jobs, clock)
+    with open_results(out / RESULTS) as file, closing(attempts):
         for result in attempts:
             results[result.key] = result
             write_result(file, result)
@@ -137,9 +139,12 @@ def evaluate_units(
 
 def _attempts(
     units: Sequence[Unit], open_models: OpenModels, jobs: int, clock: Clock
-) -> Iterator[Result]:
+) -> Generator[Result]:
     if jobs > 1:
-        yield from _in_processes(units, open_models, jobs, clock)
+        with ExitStack() as stack:
+            begin = partial(_begin, open_models)
+            pools = [stack.enter_context(processes(1, begin)) for _ in range(jobs)]
+            yield from _in_pools(pools, units, clock)
         return
     open_model = open_models()
     for unit in units:
@@ -148,35 +153,26 @@ def _attempts(
         yield attempt(unit, open_model)
 
 
-def _in_processes(
-    units: Sequence[Unit], open_models: OpenModels, jobs: int, clock: Clock
+def _in_pools(
+    pools: Sequence[ProcessPoolExecutor], units: Sequence[Unit], clock: Clock
 ) -> Iterator[Result]:
     """Results as they come in; never more attempts under way than there are processes."""
-    context = multiprocessing.get_context("spawn")
-    free = [
-        ProcessPoolExecutor(1, context, initializer=_begin, initargs=(open_models,))
-        for _ in range(jobs)
-    ]
-    pools, waiting = tuple(free), list(units)
+    free, waiting = list(pools), list(units)
     last: dict[ProcessPoolExecutor, str] = {}
     running: dict[Future[Result], ProcessPoolExecutor] = {}
-    try:
-        while True:
-            while free and waiting and not clock.is_up:
-                pool = free.pop(0)
-                others = {start for other, start in last.items() if other is not pool}
-                unit = waiting.pop(next_place(waiting, last.get(pool), others))
-                last[pool] = unit.start
-                running[pool.submit(_attempt, unit)] = pool
-            if not running:
-                return
-            ended, _ = wait(running, return_when=FIRST_COMPLETED)
-            for future in ended:
-                free.append(running.pop(future))
-                yield future.result()
-    finally:
-        for pool in pools:
-            pool.shutdown(wait=True, cancel_futures=True)
+    while True:
+        while free and waiting and not clock.is_up:
+            pool = free.pop(0)
+            others = {start for other, start in last.items() if other is not pool}
+            unit = waiting.pop(next_place(waiting, last.get(pool), others))
+            last[pool] = unit.start
+            running[pool.submit(_attempt, unit)] = pool
+        if not running:
+            return
+        ended, _ = wait(running, return_when=FIRST_COMPLETED)
+        for future in ended:
+            free.append(running.pop(future))
+            yield future.result()
 
 
 def next_place(waiting: Sequence[Unit], last: str | None, others: Container[str]) -> int:

@@ -3,12 +3,13 @@
 import multiprocessing
 import os
 import time
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from multiprocessing.synchronize import Barrier
 
 from app.domain.perception import Perception
 from app.evaluation.pick import CAMERAS, run_episode
+from app.evaluation.processes import processes
 
 WARM_UP = 1
 """Episodes run by each process before the clock starts: modules are loaded, models cached."""
@@ -62,11 +63,8 @@ def bench_parallel(
 
 def _timed(episodes: int, seed: int, workers: int, perception: Perception) -> tuple[float, float]:
     """Wall time and simulated time of all episodes [s]."""
-    context = multiprocessing.get_context("spawn")
-    start = context.Barrier(workers + 1)
-    with ProcessPoolExecutor(
-        max_workers=workers, mp_context=context, initializer=_warm_up, initargs=(start,)
-    ) as pool:
+    start = multiprocessing.get_context("spawn").Barrier(workers + 1)
+    with processes(workers, partial(_warm_up, start)) as pool:
         tasks = [(seed, index) for index in range(episodes)]
         running = [pool.submit(run_episode, task, perception=perception) for task in tasks]
         start.wait()

@@ -20,8 +20,8 @@ from app.worker.simulation import Simulation
 from app.worlds import worlds
 
 
-def create_worker(settings: Settings, queue: Queue, worker_id: str) -> WorkerProcess:
-    """A worker for one queue."""
+def create_worker(settings: Settings, queue: Queue, name: str) -> WorkerProcess:
+    """A worker for one queue, which people know by its name."""
     database = Database(settings.database)
     jobs = Jobs(database)
     handover = Handover(jobs)
@@ -38,7 +38,7 @@ def create_worker(settings: Settings, queue: Queue, worker_id: str) -> WorkerPro
     else:
         desk = Simulation(database, handover, models)
         prepare = [_load_worlds]
-    return WorkerProcess(database, queue, worker_id, desk=desk, prepare=prepare)
+    return WorkerProcess(database, queue, name, desk=desk, prepare=prepare)
 
 
 def _expected(settings: Settings) -> tuple[str, list[str]]:

@@ -32,9 +32,14 @@ def report(session: Session, worker: WorkerRow) -> None:
     session.merge(worker)
 
 
-def gone(session: Session, worker_id: str) -> None:
-    """Note that a worker has ended."""
-    session.execute(delete(WorkerRow).where(WorkerRow.id == worker_id))
+def gone(session: Session, worker_ids: Collection[str]) -> None:
+    """Note that workers have ended."""
+    session.execute(delete(WorkerRow).where(WorkerRow.id.in_(worker_ids)))
+
+
+def listed(session: Session) -> list[str]:
+    """The ids of the workers that have not ended in good order."""
+    return list(session.scalars(select(WorkerRow.id)))
 
 
 def alive(session: Session) -> list[WorkerRow]:

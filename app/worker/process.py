@@ -4,8 +4,7 @@ import logging
 import os
 import threading
 from collections.abc import Callable, Sequence
-from types import TracebackType
-from typing import Protocol, Self, cast
+from typing import Protocol, cast
 
 from dbos import DBOS, DBOSConfig
 
@@ -13,9 +12,12 @@ from app.domain.errors import ModelError
 from app.storage import workers
 from app.storage.database import Database
 from app.storage.jobs import WORKFLOWS, Queue, worker_config
+from app.storage.lives import Lives, lives_of, new_life
 from app.storage.workers import WorkerRow
+from app.worker.succession import Succession
 
 HEARTBEAT_INTERVAL = 1.0  # [s]
+SUCCESSION_INTERVAL = 1.0  # [s] between looks whether another worker has died
 log = logging.getLogger(__name__)
 
 
@@ -38,18 +40,19 @@ class WorkerProcess:
         self,
         database: Database,
         queue: Queue,
-        worker_id: str,
+        name: str,
         *,
         desk: Desk,
         prepare: Sequence[Callable[[], str]],
     ) -> None:
         """A worker that hands every item of ``queue`` to ``desk``.
 
-        ``prepare`` loads what takes time; each part says what it has.
+        ``name`` is what people know it by; its id is its alone. ``prepare`` loads what takes time;
+        each part says what it has.
         """
         self._database = database
         self._queue: Queue = queue
-        self._id = worker_id
+        self._name = name
         self._desk = desk
         self._prepare = prepare
         self._stop = threading.Event()
@@ -58,21 +61,44 @@ class WorkerProcess:
     def run(self) -> None:
         """Get ready, then serve until ``stop`` is called.
 
-        An item under way is then left as it is: the next process of the same id takes it up.
+        An item under way is then left as it is: another worker takes it up, as after a death.
         """
-        with _Heart(self._database, self._queue, self._id) as heart:
-            DBOS(config=cast("DBOSConfig", worker_config(self._database, self._id)))
-            DBOS.workflow(name=WORKFLOWS[self._queue], max_recovery_attempts=None)(self._workflow())
-            DBOS.listen_queues([self._queue])
-            self._get_ready(heart)
-            DBOS.launch()
-            self._stop.wait()
-            if self._under_way is not None:
-                self._desk.stopping(self._under_way)
+        lives = lives_of(self._database)
+        worker_id = new_life(lives, self._name)
+        succession = Succession(self._database, lives, worker_id)
+        heart = _Heart(self._database, self._queue, worker_id, lives)
+        heart.begin()
+        DBOS(config=cast("DBOSConfig", worker_config(self._database, worker_id)))
+        DBOS.workflow(name=WORKFLOWS[self._queue], max_recovery_attempts=None)(self._workflow())
+        DBOS.listen_queues([self._queue])
+        succession.strike_off()
+        self._get_ready(heart)
+        DBOS.launch()
+        succession.take_over()
+        self._serve(succession)
+        heart.stop()
+        self._leave(worker_id)
 
     def stop(self) -> None:
         """Have ``run`` return."""
         self._stop.set()
+
+    def _serve(self, succession: Succession) -> None:
+        """The queue is served in threads of its own; here it is seen to that no job is left."""
+        while not self._stop.wait(SUCCESSION_INTERVAL):
+            try:
+                if succession.strike_off():
+                    succession.take_over()
+            except Exception:
+                log.exception("could not look after the work of others")
+
+    def _leave(self, worker_id: str) -> None:
+        if self._under_way is not None:
+            # It stays listed, so that others see that it is dead and take over.
+            self._desk.stopping(self._under_way)
+            return
+        with self._database.transaction() as session:
+            workers.gone(session, [worker_id])
 
     def _get_ready(self, heart: "_Heart") -> None:
         try:
@@ -94,30 +120,25 @@ class WorkerProcess:
 class _Heart:
     """Tells the others that this process is alive, and whether it can work yet."""
 
-    def __init__(self, database: Database, queue: Queue, worker_id: str) -> None:
+    def __init__(self, database: Database, queue: Queue, worker_id: str, lives: Lives) -> None:
         self._database = database
         self._queue = queue
         self._id = worker_id
+        self._lives = lives
         self._ready = False
         self._detail = "getting ready"
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._beat, name="heartbeat", daemon=True)
 
-    def __enter__(self) -> Self:
+    def begin(self) -> None:
+        """Tell it from now on."""
         self._tell()
         self._thread.start()
-        return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def stop(self) -> None:
+        """Tell it no longer."""
         self._stop.set()
         self._thread.join()
-        with self._database.transaction() as session:
-            workers.gone(session, self._id)
 
     def ready(self, detail: str) -> None:
         """From now on it can work."""
@@ -131,6 +152,9 @@ class _Heart:
 
     def _beat(self) -> None:
         while not self._stop.wait(HEARTBEAT_INTERVAL):
+            if not self._lives.lasts():
+                log.critical("lost what shows that it is alive; others may take its work")
+                os._exit(1)
             try:
                 self._tell()
             except Exception:

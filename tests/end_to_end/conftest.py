@@ -25,6 +25,11 @@ SCRIPT = [
         "text": "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n",
         "delay": 0.05,
     },
+    {
+        "when": "take twice your time",
+        "text": "    # 1: put the banana in the bowl\n    grab_and_putin('banana', 'bowl')\n",
+        "delay": 0.5,
+    },
     {"when": "go on forever", "text": "    # on and on\n", "endless": True, "delay": 0.05},
 ]
 

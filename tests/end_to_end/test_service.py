@@ -1,11 +1,12 @@
 """One service, from the sentence to the scores, through deaths and restarts."""
 
-import os
 import signal
 import subprocess
 import sys
 
 import pytest
+
+from tests.processes import runs, within_limit
 
 pytestmark = pytest.mark.physics
 
@@ -92,10 +93,13 @@ def test_a_service_killed_in_the_middle_keeps_everything_and_finishes_what_was_u
     assert service.wait(f"/plans/{plan['id']}", "succeeded", "failed")["status"] == "succeeded"
 
 
-def test_an_interrupted_service_stops_its_workers_and_says_so(service):
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
+def test_a_service_that_ends_leaves_no_worker_behind_and_says_so(service, number):
+    if service.process.poll() is not None:
+        service.start()
     workers = [service.worker(name) for name in ("planning-1", "simulation-1")]
-    assert service.stop(signal.SIGINT) == 0
-    assert "stopped; everything is kept" in service.lines
-    for worker in workers:
-        with pytest.raises(ProcessLookupError):
-            os.kill(worker, 0)
+    code = service.stop(number)
+    within_limit(lambda: not any(map(runs, workers)))
+    if number != signal.SIGKILL:
+        assert code == 0
+        within_limit(lambda: service.lines[-1] == "stopped; everything is kept")

@@ -44,6 +44,16 @@ def test_other_switches_under_the_same_names_are_attempted_anew(
     assert made == [None]
 
 
+def test_half_a_line_that_a_death_left_spoils_no_other(suite, make_cell, open_models, tmp_path):
+    evaluation = Evaluation(suite=suite, cells=(make_cell(),))
+    evaluate(evaluation, open_models, tmp_path)
+    whole = (tmp_path / RESULTS).read_bytes()
+    (tmp_path / RESULTS).write_bytes(whole[:40] + "ü".encode()[:1])
+    assert read_results(tmp_path / RESULTS) == []
+    every = evaluate(evaluation, open_models, tmp_path)
+    assert read_results(tmp_path / RESULTS) == every
+
+
 def test_no_attempt_is_begun_after_the_time_is_up(suite, make_cell, open_models, tmp_path):
     evaluation = Evaluation(suite=suite, cells=(make_cell(),), seconds=0.0)
     assert evaluate(evaluation, open_models, tmp_path) == []

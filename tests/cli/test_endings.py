@@ -1,0 +1,60 @@
+"""However an evaluation ends: nothing it started goes on, and what it found is kept."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from tests.processes import LIMIT, descendants, runs, within_limit
+
+QUICK = {"text": "    grab_and_putin('banana', 'bowl')\n"}
+FIRST = {**QUICK, "when": "put the banana in the bowl"}
+STUCK = {**QUICK, "delay": 1000}
+
+
+@pytest.fixture
+def start(tmp_path):
+    """Starts an evaluation over two processes whose model gives these answers."""
+    started = []
+    told = (tmp_path / "told").open("w")
+
+    def start(*answers):
+        script = tmp_path / "script.json"
+        script.write_text(json.dumps(answers))
+        options = ["--model=scripted", "--planner=progprompt", "--limit=4", "--jobs=2"]
+        command = [sys.executable, "-m", "app.cli", "eval", "robot-tasks", *options]
+        process = subprocess.Popen(
+            [*command, f"--out={tmp_path / 'out'}"],
+            env=os.environ | {"PROGPROMPT_SCRIPTED": str(script)},
+            stdout=told,
+            stderr=subprocess.DEVNULL,
+        )
+        started.append(process)
+        return process
+
+    with told:
+        yield start
+    for process in started:
+        process.kill()
+        process.wait()
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGKILL])
+def test_an_evaluation_leaves_no_process_behind_and_can_be_gone_on_with(start, tmp_path, number):
+    results = tmp_path / "out" / "results.jsonl"
+    process = start(FIRST, STUCK)
+    within_limit(lambda: results.exists() and results.read_text().count("\n"))
+    workers = within_limit(lambda: descendants(process.pid))
+    process.send_signal(number)
+    process.wait(LIMIT)
+    within_limit(lambda: not any(map(runs, workers)))
+    kept = results.read_text()
+    if number != signal.SIGKILL:
+        assert "run it again to go on" in (tmp_path / "told").read_text()
+        assert (tmp_path / "out" / "report.html").exists()
+    assert start(QUICK).wait(LIMIT) == 0
+    assert results.read_text().startswith(kept)
+    assert results.read_text().count("\n") == 4
