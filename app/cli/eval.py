@@ -8,7 +8,6 @@ import click
 
 from app.cli.attempts import EXISTING, FOLDER, JOBS, finish, run
 from app.cli.paper_eval import paper
-from app.domain.errors import ProgPromptError
 from app.evaluation.cells import make_cells
 from app.evaluation.comparison import compare
 from app.evaluation.household_data import Part, read_household
@@ -113,10 +112,7 @@ def _suite_command(name: str) -> click.Command:
         if not suite.tasks:
             raise click.ClickException(_nothing_left(read(name, household_data, part)))
         given = {key: value for key, value in switches.items() if value is not None}
-        try:
-            cells = make_cells(suite, planners, models, given)
-        except ProgPromptError as error:
-            raise click.ClickException(str(error)) from error
+        cells = make_cells(suite, planners, models, given)
         evaluation = Evaluation(
             suite=suite,
             cells=cells,
@@ -139,14 +135,11 @@ def read(name: str, household_data: Path | None = None, part: Part = "test") -> 
     """A shipped suite, one in a file or, of the household's name and data, the paper's.
 
     Raises:
-        click.ClickException: it cannot be read, with the reason.
+        Refused: it cannot be read.
     """
-    try:
-        if household_data is not None:
-            return read_household(household_data, part)
-        return read_suite(Path(name)) if Path(name).is_file() else find_suite(name)
-    except ProgPromptError as error:
-        raise click.ClickException(str(error)) from error
+    if household_data is not None:
+        return read_household(household_data, part)
+    return read_suite(Path(name)) if Path(name).is_file() else find_suite(name)
 
 
 @command.command("compare")

@@ -6,7 +6,6 @@ import json
 import click
 from rich.console import Console
 
-from app.domain.errors import ProgPromptError
 from app.evaluation.model_speed import CANDIDATES, ModelSpeed, bench_model
 from app.llm.models import open_model
 from app.main.models import llm_config
@@ -22,10 +21,7 @@ def model(models: tuple[str, ...], as_json: bool) -> None:
     rows: list[ModelSpeed] = []
     for name in models:
         with Console(stderr=True).status(f"measuring {name}"):
-            try:
-                rows.append(bench_model(open_model(name, config)))
-            except ProgPromptError as error:
-                raise click.ClickException(str(error)) from error
+            rows.append(bench_model(open_model(name, config)))
         if not as_json:
             click.echo(_text(rows[-1]))
     if as_json:

@@ -16,7 +16,6 @@ from rich.progress import (
     TransferSpeedColumn,
 )
 
-from app.domain.errors import ProgPromptError
 from app.llm.embeddings import EMBEDDINGS
 from app.llm.models import ModelSpec, catalogue, find_model
 from app.llm.sources import weight_store
@@ -68,28 +67,26 @@ def fetch(name: str, fully: bool = False) -> None:
 
     An adapted model comes with the sentence embeddings by which its planner tells what is meant.
     """
-    with _errors_told():
-        spec, store = _find(name)
-        if spec.weights is None:
-            click.echo(f"{spec.name} needs no weights", err=True)
-            return
-        wanted = [spec.weights] if spec.adapter is None else [spec.weights, *EMBEDDINGS]
-        for weights in wanted:
-            with _progress() as progress:
-                path = store.ensure(weights, progress, fully=fully)
-            click.echo(f"{weights.name}: {path}")
+    spec, store = _find(name)
+    if spec.weights is None:
+        click.echo(f"{spec.name} needs no weights", err=True)
+        return
+    wanted = [spec.weights] if spec.adapter is None else [spec.weights, *EMBEDDINGS]
+    for weights in wanted:
+        with _progress() as progress:
+            path = store.ensure(weights, progress, fully=fully)
+        click.echo(f"{weights.name}: {path}")
 
 
 @command.command()
 @click.argument("name", default="default")
 def verify(name: str) -> None:
     """Compare the checksum of every byte of the weights of the model NAME."""
-    with _errors_told():
-        spec, store = _find(name)
-        if spec.weights is None:
-            click.echo(f"{spec.name} needs no weights", err=True)
-            return
-        store.verify(spec.weights)
+    spec, store = _find(name)
+    if spec.weights is None:
+        click.echo(f"{spec.name} needs no weights", err=True)
+        return
+    store.verify(spec.weights)
     path = store.path(spec.weights)
     click.echo(f"{path}: {spec.weights.bytes:,} bytes, sha256 {spec.weights.sha256}, as it should")
 
@@ -147,11 +144,3 @@ def _plain_lines() -> OnProgress:
             click.echo(f"{done / 1e6:,.0f} of {total / 1e6:,.0f} MB from {source}", err=True)
 
     return tell
-
-
-@contextmanager
-def _errors_told() -> Iterator[None]:
-    try:
-        yield
-    except ProgPromptError as error:
-        raise click.ClickException(str(error)) from error

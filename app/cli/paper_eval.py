@@ -7,7 +7,6 @@ from typing import Any
 import click
 
 from app.cli.attempts import EXISTING, FOLDER, JOBS, finish, run
-from app.domain.errors import ProgPromptError
 from app.evaluation.household_data import read_household
 from app.evaluation.paper import NOTE, Plan, paper_charts, paper_tables
 from app.evaluation.paper import units as units_of
@@ -46,10 +45,7 @@ def paper(
 ) -> None:
     """The paper's four tables beside its printed figures, and the sweep over examples."""
     own = household_data is None
-    try:
-        suite = _own_homes() if household_data is None else read_household(household_data)
-    except ProgPromptError as error:
-        raise click.ClickException(str(error)) from error
+    suite = _own_homes() if household_data is None else read_household(household_data)
     plan = Plan(household=suite, own=own, **chosen)
     units = units_of(plan)
     results = run(units, out, jobs, 60 * minutes)

@@ -3,7 +3,6 @@
 import click
 
 from app.cli.client import ServiceClient
-from app.domain.errors import ProgPromptError
 from app.robots.playback import trajectory_of
 from app.robots.websocket import WebSocketRobot
 from app.worlds.simulators.mujoco.arms import DEFAULT_ARM, arms
@@ -35,9 +34,6 @@ def send(
         raise click.ClickException("only what was carried out on the tabletop can be sent")
     arm = arms[scene["robot"] or DEFAULT_ARM]
     robot = WebSocketRobot(url, arm, live=live, patience=patience)
-    try:
-        carried = robot.execute(trajectory_of(packed, width, arm, grip_force=grip_force))
-    except ProgPromptError as error:
-        raise click.ClickException(str(error)) from error
+    carried = robot.execute(trajectory_of(packed, width, arm, grip_force=grip_force))
     done = "sent" if carried.live else "checked, not sent (--live sends)"
     click.echo(f"{arm.title}: {carried.points} points over {carried.duration:.1f} s: {done}")

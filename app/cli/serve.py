@@ -44,10 +44,7 @@ SHUTDOWN_LIMIT = 1  # [s] that open event streams are given
 @click.option("--simulation-workers", type=click.IntRange(0, 64), help="[default: 1]")
 def command(**given: object) -> None:
     """Serve the API, the page and the viewer; plan and simulate in worker processes."""
-    try:
-        settings = Settings.from_environment()
-    except ValueError as error:
-        raise click.ClickException(str(error)) from error
+    settings = Settings.from_environment()
     chosen = {name: value for name, value in given.items() if value is not None}
     settings = replace(settings, **chosen)  # pyright: ignore[reportArgumentType]
     logging.basicConfig(level=logging.WARNING, format="service: %(message)s", stream=sys.stderr)

@@ -52,7 +52,7 @@ def waits_for(session: Session, queues: Collection[str]) -> list[str]:
     """What stands between now and each queue having a worker that can work; best nothing."""
     found = alive(session)
     ready = {worker.queue for worker in found if worker.ready}
-    waiting = [f"no {queue} worker" for queue in queues if queue not in {w.queue for w in found}]
+    waiting = [f"a {queue} worker" for queue in queues if queue not in {w.queue for w in found}]
     return waiting + [
         f"{worker.id}: {worker.detail}"
         for worker in found

@@ -83,7 +83,7 @@ def test_a_bad_scene_is_refused_by_fields_that_begin_at_the_scene(standing, prob
 def test_the_service_is_healthy_before_it_is_ready(client, parts, problem_of):
     assert client.get("/healthz").json() == {"status": "ok"}
     problem = problem_of(client.get("/readyz"), 503)
-    assert problem["waiting_for"] == ["no planning worker", "no simulation worker"]
+    assert problem["waiting_for"] == ["a planning worker", "a simulation worker"]
     for queue, ready in (("planning", False), ("simulation", True)):
         with parts.database.transaction() as session:
             row = WorkerRow(id=f"{queue}-1", queue=queue, pid=1, ready=ready, detail="loading")

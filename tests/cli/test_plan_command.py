@@ -1,11 +1,12 @@
 import json
+from typing import cast
 
 import httpx
 import pytest
 from click.testing import CliRunner
 from rich.console import Console
 
-from app.cli.client import problem
+from app.cli.client import ServiceClient, problem
 from app.cli.plan import carry_out, command, following
 
 NOBODY = "http://127.0.0.1:9"
@@ -90,7 +91,7 @@ def test_an_interrupt_cancels_the_plan_and_says_so(capsys):
 
     client = Interrupted()
     with pytest.raises(SystemExit) as ended:
-        carry_out(client, {}, Console())
+        carry_out(cast("ServiceClient", client), {}, Console())
     assert ended.value.code == 130
     assert client.asked == "/plans/pl_1"
     told = capsys.readouterr().out

@@ -112,7 +112,7 @@ def test_a_wish_to_stop_is_heard_while_the_prompt_is_read(task, canned, write):
         def complete(self, request, on_text=None):
             for _ in range(20):
                 time.sleep(LOOK_EVERY / 4)
-                if on_text(""):
+                if on_text and on_text(""):
                     self.stopped = True
                     return replace(super().complete(request), text="", finish="cancelled")
             return super().complete(request, on_text)
