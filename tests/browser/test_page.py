@@ -256,6 +256,22 @@ def test_errors_are_shown_at_the_fields_they_name(open_page):
     expect(page.locator("[data-field=goal] .fault")).to_contain_text("Line 1")
 
 
+def test_marks_go_with_what_they_are_about(open_page):
+    page = open_page()
+    page.get_by_label("Scene", exact=True).select_option("juice-by-the-bed")
+    page.get_by_role("button", name="as JSON").click()
+    text = page.get_by_label("The scene as JSON")
+    scene = text.input_value()
+    text.fill(scene.replace("env0", "env7"))
+    page.get_by_role("button", name="Run", exact=True).click()
+    fault = page.locator(".fault")
+    expect(fault).to_contain_text("there is no home 'env7'")
+    expect(page.locator("#problem")).to_be_visible()
+    text.fill(scene.replace("env0", "env1"))
+    expect(fault).to_have_count(0)
+    expect(page.locator("#problem")).to_be_hidden()
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
