@@ -14,7 +14,10 @@ export class RequestForm {
     this.form = byId("request");
     this.faults = new Faults(this.form, byId("problem"));
     this.settings = new Settings();
-    this.scene = new SceneEditor((ready) => this.takeTask(ready));
+    this.scene = new SceneEditor({
+      chosen: (ready) => this.takeTask(ready),
+      refused: (error) => this.refuse(error),
+    });
     // The goal that came with an instruction counts for that instruction only.
     this.task = recall("task", null);
     this.text = { instruction: byId("instruction"), program: byId("program"), goal: byId("goal") };
@@ -122,8 +125,14 @@ export class RequestForm {
     }
   }
 
+  refuse(error) {
+    this.faults.clear();
+    this.faults.show(error);
+  }
+
   async copyCurl() {
     const button = byId("copy-curl");
+    this.faults.clear();
     try {
       const body = JSON.stringify(this.request(), null, 1).replaceAll("'", "'\\''");
       await copy(`curl -X POST ${location.origin}/plans -H 'Content-Type: application/json' -d '${body}'`);

@@ -1,15 +1,18 @@
 // The scene editor: ready scenes, a list of objects, and the same as JSON.
 
-import { get } from "./api.js";
+import { get, Problem } from "./api.js";
 import { byId, h } from "./dom.js";
 import { recall, remember } from "./memory.js";
 
 const OWN = "own";
 
 export class SceneEditor {
-  /** `chosen(ready)` is called when somebody picks a ready scene. */
-  constructor(chosen) {
+  /** `chosen(ready)` is called when somebody picks a ready scene, `refused(error)` where its text is none. */
+  constructor({ chosen, refused }) {
     this.chosen = chosen;
+    this.refused = refused;
+    // Text that is no JSON yet, and why; the scene is the one before it, which nobody means any more.
+    this.broken = recall("broken", null);
     this.ready = new Map();
     this.kinds = [];
     this.scene = recall("scene", null);
@@ -40,6 +43,7 @@ export class SceneEditor {
     const kept = recall("ready", names[0]);
     if (this.scene === null) this.pick(names[0]);
     else this.show(this.ready.has(kept) ? kept : OWN);
+    if (this.broken) this.reveal(true);
   }
 
   /** Take up a ready scene. */
@@ -47,6 +51,7 @@ export class SceneEditor {
     if (name !== OWN) {
       const ready = this.ready.get(name);
       this.scene = structuredClone(ready.scene);
+      this.mend();
       this.chosen(ready);
     }
     this.keep(name);
@@ -57,16 +62,26 @@ export class SceneEditor {
   take(scene) {
     const home = scene.environment || scene.graph;
     this.scene = present({ ...scene, objects: home ? null : scene.objects.map(present) });
+    this.mend();
     this.keep(OWN);
     this.show(OWN);
   }
 
   /** Let this robot work in the scene, whichever it is; the usual one need not be named. */
   let(robot) {
-    delete this.scene.robot;
-    if (robot !== this.usual) this.scene = { ...this.scene, robot };
+    this.change("robot", robot === this.usual ? null : robot);
+  }
+
+  /** Give the scene this part, or with null leave it to its world. */
+  change(part, value) {
+    if (this.broken) {
+      this.draw();
+      return this.refused(this.fault());
+    }
+    const { [part]: _, ...rest } = this.scene;
+    this.scene = value === null ? rest : { ...rest, [part]: value };
     this.keep(this.select.value);
-    this.show(this.select.value);
+    return this.show(this.select.value);
   }
 
   keep(name) {
@@ -83,6 +98,14 @@ export class SceneEditor {
   show(name) {
     this.select.value = name;
     byId("scene-about").textContent = this.ready.get(name)?.about ?? "";
+    this.draw();
+    this.json.value = this.broken?.text ?? JSON.stringify(this.scene, null, 1);
+    // The rows are new ones; what was said about the old ones goes with them.
+    byId("scene-objects").dispatchEvent(new Event("change", { bubbles: true }));
+  }
+
+  /** Everything but the text, which may be being typed. */
+  draw() {
     const home = this.scene.environment ?? (this.scene.graph && "of your own");
     byId("scene-legend").textContent = home ? "In the home" : "On the table";
     byId("add-object").hidden = Boolean(home) || !this.json.hidden;
@@ -90,8 +113,6 @@ export class SceneEditor {
     this.robot.value = this.scene.robot ?? this.usual;
     if (home) this.list.replaceChildren(h("li", { class: "hint whole" }, `Everything in the home “${home}”.`));
     else this.list.replaceChildren(...this.objects().map((object, index) => this.entry(object, index)));
-    this.json.value = JSON.stringify(this.scene, null, 1);
-    this.json.removeAttribute("aria-invalid");
   }
 
   objects() {
@@ -154,34 +175,50 @@ export class SceneEditor {
     (next?.querySelector(".remove") ?? byId("add-object")).focus();
   }
 
+  /** Text that is no JSON is not left behind: it stays in sight until it is. */
   toggle() {
-    const shown = this.json.hidden;
-    this.json.hidden = !shown;
-    this.list.hidden = shown;
-    byId("add-object").hidden = shown || Boolean(this.scene.environment);
-    byId("toggle-json").setAttribute("aria-pressed", String(shown));
-    byId("toggle-json").textContent = shown ? "as a list" : "as JSON";
-    if (shown) this.json.focus();
-    else this.show(this.select.value);
+    if (this.broken) this.refused(this.fault());
+    else this.reveal(this.json.hidden);
+    if (!this.json.hidden) this.json.focus();
+  }
+
+  /** Show the scene as JSON, or as a list. */
+  reveal(asJson) {
+    this.json.hidden = !asJson;
+    this.list.hidden = asJson;
+    byId("toggle-json").setAttribute("aria-pressed", String(asJson));
+    byId("toggle-json").textContent = asJson ? "as a list" : "as JSON";
+    this.show(this.select.value);
   }
 
   readJson() {
+    const text = this.json.value;
     try {
-      const scene = JSON.parse(this.json.value);
-      if (typeof scene !== "object" || scene === null || Array.isArray(scene)) throw new SyntaxError();
+      const scene = JSON.parse(text);
+      if (typeof scene !== "object" || scene === null || Array.isArray(scene)) throw new SyntaxError("it is no object in braces");
       this.scene = scene;
-      this.json.removeAttribute("aria-invalid");
+      this.mend();
       this.changed();
-    } catch {
-      this.json.setAttribute("aria-invalid", "true");
+    } catch (error) {
+      this.broken = { text, why: error.message };
+      remember("broken", this.broken);
     }
+    this.draw();
   }
 
-  /** The scene as it is sent; empty rows are not. Throws where the JSON is none. */
+  mend() {
+    this.broken = null;
+    remember("broken", null);
+  }
+
+  fault() {
+    const message = `The scene is not JSON: ${this.broken.why}`;
+    return new Problem({ detail: message, errors: [{ field: "scene.text", message }] });
+  }
+
+  /** The scene as it is sent; empty rows are not. Throws where its text is no JSON. */
   request() {
-    if (!this.json.hidden && this.json.getAttribute("aria-invalid")) {
-      throw new Error("The scene is not JSON.");
-    }
+    if (this.broken) throw this.fault();
     const objects = this.scene.objects;
     if (!Array.isArray(objects)) return this.scene;
     return { ...this.scene, objects: objects.filter((object) => String(object?.name ?? "").trim() !== "") };

@@ -272,6 +272,28 @@ def test_marks_go_with_what_they_are_about(open_page):
     expect(page.locator("#problem")).to_be_hidden()
 
 
+def test_scene_that_is_no_json_is_refused_and_stays_until_it_is(open_page):
+    page = open_page()
+    page.get_by_role("button", name="as JSON").click()
+    text = page.get_by_label("The scene as JSON")
+    whole = text.input_value()
+    text.fill(whole[:-1])
+    fault = page.locator("#scene-objects .fault")
+    for name in ("Run", "Copy as curl", "as a list"):
+        page.get_by_role("button", name=name, exact=True).click()
+        expect(fault).to_contain_text("The scene is not JSON: ")
+        expect(text).to_have_value(whole[:-1])
+        expect(text).to_be_focused()
+    page.reload()
+    expect(text).to_have_value(whole[:-1])
+    page.get_by_role("button", name="Run", exact=True).click()
+    text.press("Control+End")
+    text.press("}")
+    expect(fault).to_have_count(0)
+    page.get_by_role("button", name="as a list").click()
+    expect(text).to_be_hidden()
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
