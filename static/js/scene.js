@@ -1,7 +1,9 @@
 // The scene editor: ready scenes, a list of objects, and the same as JSON.
 
+import { ActionChoice } from "./actions.js";
 import { get, Problem } from "./api.js";
 import { byId, h } from "./dom.js";
+import { Home } from "./home.js";
 import { recall, remember } from "./memory.js";
 
 const OWN = "own";
@@ -20,7 +22,10 @@ export class SceneEditor {
     this.list = byId("object-list");
     this.json = byId("scene-json");
     this.robot = byId("robot");
-    this.robot.addEventListener("change", () => this.let(this.robot.value));
+    this.actions = new ActionChoice((actions) => this.change({ actions }));
+    this.home = new Home((environment) => this.change({ environment, graph: null }));
+    // The usual robot need not be named.
+    this.robot.addEventListener("change", () => this.change({ robot: this.robot.value === this.usual ? null : this.robot.value }));
     this.select.addEventListener("change", () => this.pick(this.select.value));
     byId("add-object").addEventListener("click", () => this.add());
     byId("toggle-json").addEventListener("click", () => this.toggle());
@@ -36,6 +41,7 @@ export class SceneEditor {
       ...names.map((name) => h("option", { value: name }, this.ready.get(name).title)),
       h("option", { value: OWN }, "My own scene"),
     );
+    this.worlds = (await get("/catalog/worlds").catch(() => ({ items: [] }))).items;
     this.kinds = (await get("/catalog/objects").catch(() => ({ items: [] }))).items;
     const robots = (await get("/catalog/robots").catch(() => ({ items: [] }))).items;
     this.usual = robots.find((robot) => robot.default)?.name ?? "";
@@ -67,19 +73,13 @@ export class SceneEditor {
     this.show(OWN);
   }
 
-  /** Let this robot work in the scene, whichever it is; the usual one need not be named. */
-  let(robot) {
-    this.change("robot", robot === this.usual ? null : robot);
-  }
-
-  /** Give the scene this part, or with null leave it to its world. */
-  change(part, value) {
+  /** Give the scene these parts; what is null is left to its world. */
+  change(parts) {
     if (this.broken) {
       this.draw();
       return this.refused(this.fault());
     }
-    const { [part]: _, ...rest } = this.scene;
-    this.scene = value === null ? rest : { ...rest, [part]: value };
+    this.scene = Object.fromEntries(Object.entries({ ...this.scene, ...parts }).filter(([, value]) => value !== null));
     this.keep(this.select.value);
     return this.show(this.select.value);
   }
@@ -106,12 +106,17 @@ export class SceneEditor {
 
   /** Everything but the text, which may be being typed. */
   draw() {
-    const home = this.scene.environment ?? (this.scene.graph && "of your own");
-    byId("scene-legend").textContent = home ? "In the home" : "On the table";
-    byId("add-object").hidden = Boolean(home) || !this.json.hidden;
-    byId("robot-field").hidden = (this.scene.world ?? "tabletop") !== "tabletop" || this.robot.options.length < 2;
-    this.robot.value = this.scene.robot ?? this.usual;
-    if (home) this.list.replaceChildren(h("li", { class: "hint whole" }, `Everything in the home “${home}”.`));
+    const { scene } = this;
+    const world = this.worlds.find((one) => one.name === (scene.world ?? "tabletop"));
+    const homes = world?.environments ?? [];
+    const atHome = homes.length > 0;
+    this.home.show(scene, homes);
+    this.actions.show(scene, world);
+    byId("scene-legend").textContent = atHome ? "In the home" : "On the table";
+    byId("add-object").hidden = atHome || !this.json.hidden;
+    byId("robot-field").hidden = (scene.world ?? "tabletop") !== "tabletop" || this.robot.options.length < 2;
+    this.robot.value = scene.robot ?? this.usual;
+    if (atHome) this.list.replaceChildren(h("li", { class: "hint whole" }, scene.objects?.length ? `Of its things the planner is told ${scene.objects.length}; see the JSON.` : "Everything that is there."));
     else this.list.replaceChildren(...this.objects().map((object, index) => this.entry(object, index)));
   }
 

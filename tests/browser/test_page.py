@@ -294,6 +294,40 @@ def test_scene_that_is_no_json_is_refused_and_stays_until_it_is(open_page):
     expect(text).to_be_hidden()
 
 
+def test_every_action_of_the_world_can_be_put_on_offer(open_page):
+    page = open_page()
+    count = page.locator("#action-count")
+    expect(count).to_have_text("grab_and_putin")
+    page.locator("#actions-part summary").press("Enter")
+    page.get_by_label("pick(obj)").press("Space")
+    expect(count).to_have_text("2 of 18 actions")
+    expect(page.get_by_label("pick(obj)")).to_be_focused()
+    scene = page.locator("#scene-json")
+    assert json.loads(scene.input_value())["actions"] == ["grab_and_putin", "pick"]
+    page.reload()
+    expect(count).to_have_text("2 of 18 actions")
+    page.locator("#actions-part summary").click()
+    page.get_by_role("button", name="All", exact=True).click()
+    expect(count).to_have_text("18 of 18 actions")
+    page.get_by_role("button", name="Usual", exact=True).click()
+    assert "actions" not in json.loads(scene.input_value())
+    page.get_by_label("Scene", exact=True).select_option("juice-by-the-bed")
+    expect(count).to_have_text("11 of 41 actions")
+
+
+def test_home_is_chosen_from_the_catalogue_and_tells_its_rooms(open_page):
+    page = open_page()
+    expect(page.get_by_label("Home", exact=True)).to_be_hidden()
+    page.get_by_label("Scene", exact=True).select_option("juice-by-the-bed")
+    page.locator("#rooms-part summary").click()
+    rooms = page.locator("#room-list")
+    expect(rooms).to_contain_text("fridge")
+    expect(rooms).not_to_contain_text("childrensroom")
+    page.get_by_label("Home", exact=True).select_option("env1")
+    expect(rooms).to_contain_text("childrensroom")
+    assert json.loads(page.locator("#scene-json").input_value())["environment"] == "env1"
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")

@@ -27,6 +27,7 @@ def list_worlds() -> Page:
             "name": name,
             "actions": [action.name for action in world.actions],
             "default_actions": list(world.default_actions),
+            "environments": list(world.environments()),
             "planner": world.planner,
             "moves": world.moves,
             "relations": world.relations,
