@@ -1,19 +1,8 @@
 // The head of a plan: what was asked, how far it is, and what can be done with it.
 
 import { byId, h } from "./dom.js";
+import { STATES, stateOf } from "./state.js";
 
-const WORDS = {
-  queued: "Waiting for its turn",
-  planning: "Writing the program",
-  planned: "Planned",
-  awaiting_approval: "Waiting for your approval",
-  executing: "Carrying it out",
-  succeeded: "Succeeded",
-  failed: "Failed",
-  declined: "Not planned, nothing was moved",
-  cancelled: "Cancelled",
-};
-export const TONES = { succeeded: "good", planned: "good", failed: "bad", cancelled: "warn", declined: "warn", awaiting_approval: "warn" };
 const UNDER_WAY = new Set(["queued", "planning", "executing"]);
 
 export class Banner {
@@ -37,7 +26,7 @@ export class Banner {
   }
 
   show(plan, execution) {
-    const state = this.state(plan, execution);
+    const state = stateOf(plan, execution);
     const key = JSON.stringify([plan.id, state, execution?.id, execution?.identical, plan.replans, plan.executions, plan.error, execution?.error]);
     if (key === this.shown) return;
     if (state !== this.last || this.shown === null) this.since = performance.now();
@@ -49,12 +38,12 @@ export class Banner {
     this.clock = h("span", { class: "clock", "aria-hidden": "true" });
     this.title.textContent = plan.planner ? "Instruction" : "Program by hand";
     this.sentence.textContent = plan.instruction;
-    this.status.className = `status ${TONES[state] ?? ""}`;
+    this.status.className = `status ${STATES[state].tone ?? ""}`;
     this.status.dataset.status = state;
-    this.status.replaceChildren(WORDS[state] ?? state, ...(under ? [this.clock] : []));
+    this.status.replaceChildren(STATES[state].words, ...(under ? [this.clock] : []));
     const focused = this.rest.contains(document.activeElement) ? document.activeElement.textContent : null;
     this.rest.replaceChildren(...[
-      under && h("div", { class: "progress", role: "progressbar", "aria-label": WORDS[state] }),
+      under && h("div", { class: "progress", role: "progressbar", "aria-label": STATES[state].words }),
       this.why(plan, execution),
       state === "awaiting_approval" && h("p", { class: "why" }, "Nothing has been moved. Read the program; it is carried out when you approve it."),
       this.buttons(plan, execution, state),
@@ -62,12 +51,6 @@ export class Banner {
     // Whoever works by keyboard stays where they were, or at the first button if that one is gone.
     if (focused !== null) ([...this.rest.querySelectorAll("button, a, select")].find((each) => each.textContent === focused) ?? this.rest.querySelector("button"))?.focus();
     if (under) this.timer = setInterval(() => this.tick(), 200);
-  }
-
-  state(plan, execution) {
-    if (!execution) return plan.declined ? "declined" : plan.status;
-    // Of several executions the one that is shown counts.
-    return execution.status;
   }
 
   tick() {

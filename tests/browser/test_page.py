@@ -328,6 +328,21 @@ def test_home_is_chosen_from_the_catalogue_and_tells_its_rooms(open_page):
     assert json.loads(page.locator("#scene-json").input_value())["environment"] == "env1"
 
 
+def test_question_back_is_no_failure_anywhere(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    page.get_by_text("Settings").click()
+    page.get_by_label("Planner", exact=True).select_option("situated")
+    page.get_by_label("And then?").fill("put it back")  # with no action that can
+    page.get_by_role("button", name="Go on").click()
+    expect(status(page)).to_have_text("Asked back, nothing was moved")
+    expect(page.locator("#earlier-list [aria-current=page]")).to_contain_text("asked back")
+    expect(page.locator("#earlier-list [aria-current=page] .dot")).to_have_class("dot warn")
+    expect(page.locator("[data-kind=asked]")).to_contain_text("Asked back")
+    expect(page.locator("#program-view")).to_have_text("Nothing was planned.")
+    expect(page.locator(".caret")).to_have_count(0)
+    expect(page.locator("#scores-view")).to_contain_text("nothing to score")
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
