@@ -343,6 +343,29 @@ def test_question_back_is_no_failure_anywhere(open_page, finished):
     expect(page.locator("#scores-view")).to_contain_text("nothing to score")
 
 
+def test_reply_field_suggests_what_would_be_understood(open_page, service, finished):
+    scene = {"objects": [{"name": "banana"}, {"name": "bowl"}, {"name": "pear"}]}
+    with httpx.Client(base_url=service.url, timeout=60) as http:
+        request = {"scene": scene, "instruction": SENTENCE, "execute": False}
+        plan = http.post("/plans", json=request).json()["id"]
+    page = open_page(f"/#/plans/{plan}")
+    reply = page.locator("#next")
+    expect(reply).to_have_attribute("placeholder", "now the pear")
+    page.goto(f"{service.url}/#/plans/{finished}")
+    expect(reply).to_have_attribute("placeholder", "say what comes next")  # all has been moved
+
+    choices = ["put the red block in the bowl", "put the blue block in the bowl"]
+    declined = {"kind": "ambiguous", "reason": "", "question": "Which?", "choices": choices}
+
+    def ask(route):
+        content = route.fetch().json() | {"status": "failed", "declined": declined}
+        route.fulfill(json=content)
+
+    page.route(f"**/plans/{plan}", ask)
+    page.goto(f"{service.url}/#/plans/{plan}")
+    expect(reply).to_have_attribute("placeholder", choices[0])
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
