@@ -2,7 +2,7 @@
 
 import { all, follow, get, post } from "./api.js";
 import { Banner } from "./banner.js";
-import { save } from "./dom.js";
+import { byId, reveal, save } from "./dom.js";
 import { EventList } from "./events.js";
 import { FollowUp } from "./followup.js";
 import { ProgramView } from "./program.js";
@@ -127,6 +127,7 @@ export class Watch {
       this.scores.show(plan, null);
     }
   }
+      if (plan.status === "awaiting_approval") reveal(byId("result"));
 
   async watchExecution(execution) {
     const id = this.id;

@@ -366,6 +366,17 @@ def test_reply_field_suggests_what_would_be_understood(open_page, service, finis
     expect(reply).to_have_attribute("placeholder", choices[0])
 
 
+def test_what_comes_of_run_is_brought_into_view(open_page):
+    page = open_page(viewport={"width": 1280, "height": 700})
+    page.locator("#settings-part summary").click()
+    page.get_by_label("Ask me before it is carried out").check()
+    page.get_by_label("What should the robot do?").fill(SENTENCE)
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(status(page)).to_be_in_viewport()
+    expect(status(page)).to_have_text("Waiting for your approval")
+    expect(page.get_by_role("button", name="Approve and run")).to_be_in_viewport()
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
