@@ -38,9 +38,14 @@ export class RequestForm {
     await this.scene.load();
   }
 
+  /** Take up the task of a ready scene, unless somebody has typed one of their own. */
   takeTask(ready) {
+    this.faults.clear();
     this.task = { instruction: ready.instruction, goal: ready.goal.join("\n") };
     remember("task", this.task);
+    this.text.instruction.placeholder = ready.instruction;
+    const typed = this.text.instruction.value.trim();
+    if (typed && !this.scene.hasInstruction(typed)) return;
     this.set("instruction", ready.instruction);
     this.set("goal", this.task.goal);
   }

@@ -64,6 +64,11 @@ export class SceneEditor {
     this.show(name);
   }
 
+  /** Whether this is the task of a ready scene. */
+  hasInstruction(text) {
+    return [...this.ready.values()].some((ready) => ready.instruction === text);
+  }
+
   /** Take up the scene of an earlier plan, as it was asked for: nothing of what was drawn at random. */
   take(scene) {
     const home = scene.environment || scene.graph;

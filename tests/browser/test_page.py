@@ -377,6 +377,17 @@ def test_what_comes_of_run_is_brought_into_view(open_page):
     expect(page.get_by_role("button", name="Approve and run")).to_be_in_viewport()
 
 
+def test_typed_sentence_is_kept_when_another_scene_is_chosen(open_page):
+    page = open_page()
+    sentence = page.get_by_label("What should the robot do?")
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    expect(sentence).to_have_value(SENTENCE)  # one ready sentence gives way to another
+    sentence.fill("tidy up, please")
+    page.get_by_label("Scene", exact=True).select_option("dinner-table")
+    expect(sentence).to_have_value("tidy up, please")
+    expect(page.locator("#goal-count")).to_have_text("none")
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
