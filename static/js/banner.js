@@ -15,11 +15,13 @@ export class Banner {
     // The same element all the time: what reads the page aloud follows its text.
     this.status = h("p", { role: "status" });
     this.rest = h("div");
-    this.root.append(this.title, this.sentence, this.status, this.rest);
+    this.lost = h("p", { class: "problem", role: "alert", hidden: true });
+    this.root.append(this.title, this.sentence, this.status, this.lost, this.rest);
   }
 
   hide() {
     this.root.hidden = true;
+    this.away(false);
     clearInterval(this.timer);
     this.since = null;
     this.shown = null;
@@ -51,6 +53,13 @@ export class Banner {
     // Whoever works by keyboard stays where they were, or at the first button if that one is gone.
     if (focused !== null) ([...this.rest.querySelectorAll("button, a, select")].find((each) => each.textContent === focused) ?? this.rest.querySelector("button"))?.focus();
     if (under) this.timer = setInterval(() => this.tick(), 200);
+  }
+
+  /** The service does not answer: nothing is known of what goes on, so no clock counts it. */
+  away(away) {
+    this.lost.hidden = !away;
+    this.lost.textContent = away ? "The service cannot be reached. This goes on by itself when it is back." : "";
+    this.root.classList.toggle("away", away);
   }
 
   tick() {

@@ -79,7 +79,12 @@ export class Watch {
   }
 
   followPlanning(id) {
-    this.stop = follow(`/plans/${id}/events`, (event) => this.planned(event), () => this.planningOver(id), this.known);
+    this.stop = follow(`/plans/${id}/events`, {
+      told: (event) => this.planned(event),
+      ended: () => this.planningOver(id),
+      away: (away) => this.banner.away(away),
+      after: this.known,
+    });
   }
 
   async refresh(id = this.id) {
@@ -122,18 +127,25 @@ export class Watch {
     const execution = this.wanted ?? plan.executions.at(-1);
     if (execution) this.watchExecution(execution);
     else {
+      if (plan.status === "awaiting_approval") reveal(byId("result"));
       this.rollout.reset(plan.status === "awaiting_approval" ? "The rollout begins when you approve the plan." : "This plan was not carried out.");
       if (isOver(plan)) this.scores.reset("Nothing was carried out, so there is nothing to score.");
       this.scores.show(plan, null);
     }
   }
-      if (plan.status === "awaiting_approval") reveal(byId("result"));
 
   async watchExecution(execution) {
     const id = this.id;
+    this.wanted = execution;
     this.rollout.show(execution);
-    this.stop = follow(`/executions/${execution}/events`, (event) => this.happened(event), () => this.executionOver(id, execution));
+    // Its program comes first: a changed one has other lines than the plan's.
     await this.refreshExecution(id, execution);
+    if (this.id !== id || this.wanted !== execution) return;
+    this.stop = follow(`/executions/${execution}/events`, {
+      told: (event) => this.happened(event),
+      ended: () => this.executionOver(id, execution),
+      away: (away) => this.banner.away(away),
+    });
   }
 
   async executionOver(id, execution) {

@@ -388,6 +388,23 @@ def test_typed_sentence_is_kept_when_another_scene_is_chosen(open_page):
     expect(page.locator("#goal-count")).to_have_text("none")
 
 
+def test_service_that_goes_away_is_told_where_it_is_missed(open_page, service):
+    page = open_page()
+    page.get_by_label("What should the robot do?").fill("go on forever")
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator("pre.writing")).to_contain_text("on and on")
+    service.stop()
+    missed = page.locator("#banner .problem")
+    expect(missed).to_contain_text("The service cannot be reached")
+    expect(page.locator("#readiness")).to_have_attribute("data-state", "gone")
+    expect(page.locator("#banner .clock")).to_be_hidden()
+    service.start()
+    expect(missed).to_be_hidden()
+    expect(page.locator("#readiness")).not_to_have_attribute("data-state", "gone")
+    page.get_by_role("button", name="Cancel").click()
+    expect(status(page)).to_have_text("Cancelled")
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
