@@ -405,6 +405,13 @@ def test_service_that_goes_away_is_told_where_it_is_missed(open_page, service):
     expect(status(page)).to_have_text("Cancelled")
 
 
+def test_without_motion_a_finished_run_shows_its_end(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(slider(page)).to_be_enabled()
+    expect(page.locator(".controls .play")).to_have_text("Replay")
+    assert float(slider(page).input_value()) > duration(page) - 0.1
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
