@@ -72,6 +72,7 @@ export class Banner {
     const told = failure ? `Line ${failure.line}, at “${failure.stage}”: ${failure.reason}` : (execution?.error ?? plan.error);
     const also = [];
     if (plan.replans) also.push(`Planned anew ${plan.replans === 1 ? "once" : `${plan.replans} times`}.`);
+    if (execution?.what_if) also.push(`This run was changed: ${changes(plan, execution)}.`);
     if (typeof execution?.identical === "boolean") also.push(execution.identical ? "The trace is the same, bit for bit." : "The trace differs from the run it repeats.");
     if (!told && !also.length) return null;
     return h("div", { class: "why" }, told && h("p", {}, told), ...also.map((text) => h("p", {}, text)));
@@ -114,4 +115,13 @@ export class Banner {
     this.rest.querySelector(".problem")?.remove();
     this.rest.append(h("p", { class: "problem", role: "alert" }, message));
   }
+}
+
+/** In what a run differs from its plan. */
+function changes(plan, { program, seed, begins_at_line }) {
+  const told = [];
+  if (program.trimEnd() !== plan.program.trimEnd()) told.push("another program than planned");
+  if (seed !== plan.seed) told.push(`seed ${seed} instead of ${plan.seed}`);
+  if (begins_at_line) told.push(`taken up before line ${begins_at_line}`);
+  return told.join(", ") || "taken up where another run ended";
 }

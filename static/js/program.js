@@ -33,6 +33,7 @@ export class ProgramView {
 
   reset(text = "Run a task, and the program appears here as it is written.") {
     this.lines = [];
+    this.source = null;
     this.text = null;
     this.root.replaceChildren(h("p", { class: "hint" }, text));
   }
@@ -63,6 +64,7 @@ export class ProgramView {
   show(plan) {
     if (!plan.program) return this.end(plan);
     this.text = null;
+    this.source = plan.program;
     this.lines = plan.program.replace(/\n+$/, "").split("\n").map((text, index) => this.line(text, index + 1));
     const list = h("ol", { class: "lines code", "aria-label": "The program" }, this.lines.map((line) => line.element));
     this.root.replaceChildren(list, ...this.usage(plan));

@@ -412,6 +412,26 @@ def test_without_motion_a_finished_run_shows_its_end(open_page, finished):
     assert float(slider(page).input_value()) > duration(page) - 0.1
 
 
+def test_changed_run_says_so_and_marks_its_own_lines(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(status(page)).to_have_text("Succeeded")
+    page.locator("#whatif summary").click()
+    page.get_by_label("From line").fill("9")
+    page.get_by_role("button", name="Run it so").click()
+    fault = page.locator('#whatif [data-field="line"] .fault')
+    expect(fault).to_contain_text("give 1 to ")
+    page.get_by_label("From line").fill("")
+    expect(fault).to_have_count(0)
+    program = "def task():\n    grab_and_putin('banana', 'bowl')\n"
+    page.locator("#whatif-program").fill(program)
+    page.get_by_role("button", name="Run it so").click()
+    expect(page.locator("#banner .why")).to_contain_text("another program than planned")
+    expect(status(page)).to_have_text("Succeeded")
+    expect(page.locator("#whatif")).to_be_visible()  # everything is over
+    expect(page.locator('.lines [data-line="2"]')).to_have_attribute("data-state", "performed")
+    expect(page.locator(".lines li")).to_have_count(2)
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
