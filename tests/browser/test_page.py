@@ -432,6 +432,19 @@ def test_changed_run_says_so_and_marks_its_own_lines(open_page, finished):
     expect(page.locator(".lines li")).to_have_count(2)
 
 
+def test_labels_stand_beside_their_boxes_and_the_chosen_way_stands_out(open_page):
+    page = open_page(viewport={"width": 1280, "height": 700}, color_scheme="dark")
+    page.locator("#settings-part summary").click()
+    for box in page.locator("#settings .check").all():
+        [tick, label] = [box.locator(part).bounding_box() for part in ("input", "label")]
+        assert label["x"] > tick["x"] + tick["width"]
+    background = "one => getComputedStyle(one).backgroundColor"
+    [chosen, other] = [page.locator(".switch label").nth(n).evaluate(background) for n in (0, 1)]
+    [red, green, blue] = map(int, re.findall(r"\d+", chosen))
+    assert chosen != other
+    assert green > max(red, blue)  # not one grey beside another
+
+
 def test_running_plan_can_be_cancelled(open_page):
     page = open_page()
     page.get_by_label("What should the robot do?").fill("go on forever")
