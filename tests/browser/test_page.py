@@ -405,13 +405,6 @@ def test_service_that_goes_away_is_told_where_it_is_missed(open_page, service):
     expect(status(page)).to_have_text("Cancelled")
 
 
-def test_without_motion_a_finished_run_shows_its_end(open_page, finished):
-    page = open_page(f"/#/plans/{finished}")
-    expect(slider(page)).to_be_enabled()
-    expect(page.locator(".controls .play")).to_have_text("Replay")
-    assert float(slider(page).input_value()) > duration(page) - 0.1
-
-
 def test_changed_run_says_so_and_marks_its_own_lines(open_page, finished):
     page = open_page(f"/#/plans/{finished}")
     expect(status(page)).to_have_text("Succeeded")
@@ -430,6 +423,13 @@ def test_changed_run_says_so_and_marks_its_own_lines(open_page, finished):
     expect(page.locator("#whatif")).to_be_visible()  # everything is over
     expect(page.locator('.lines [data-line="2"]')).to_have_attribute("data-state", "performed")
     expect(page.locator(".lines li")).to_have_count(2)
+
+
+def test_without_motion_a_finished_run_shows_its_end(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(slider(page)).to_be_enabled()
+    expect(page.locator(".controls .play")).to_have_text("Replay")
+    assert float(slider(page).input_value()) > duration(page) - 0.1
 
 
 def test_labels_stand_beside_their_boxes_and_the_chosen_way_stands_out(open_page):
