@@ -171,7 +171,7 @@ export class Watch {
     const shown = await get(`/executions/${execution}`).catch(() => null);
     if (this.id !== id || !shown) return;
     this.execution = shown;
-    if (shown.program !== this.program.source) this.program.show({ ...this.plan, program: shown.program, steps: shown.steps, rejected: [] });
+    if (shown.program !== this.program.source) this.program.show({ ...this.plan, program: shown.program, steps: shown.steps, rejected: [], ...(shown.what_if && { usage: null }) });
     this.banner.show(this.plan, shown);
   }
 

@@ -228,7 +228,7 @@ def test_nothing_is_wider_than_a_small_phone(open_page, finished):
         page = open_page(path, viewport={"width": 360, "height": 740})
         if path != "/":
             expect(page.locator('[data-score="sr"] dd')).to_have_text("1")
-        for part in page.locator("#desk summary").all():
+        for part in page.locator("#desk summary:visible").all():
             part.click()
         assert page.evaluate("document.documentElement.scrollWidth") == 360
         wider = """[...document.querySelectorAll("main *")].filter(
@@ -423,6 +423,7 @@ def test_changed_run_says_so_and_marks_its_own_lines(open_page, finished):
     expect(page.locator("#whatif")).to_be_visible()  # everything is over
     expect(page.locator('.lines [data-line="2"]')).to_have_attribute("data-state", "performed")
     expect(page.locator(".lines li")).to_have_count(2)
+    expect(page.locator(".usage")).to_have_count(0)  # no model wrote it
 
 
 def test_without_motion_a_finished_run_shows_its_end(open_page, finished):
