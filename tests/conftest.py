@@ -55,6 +55,7 @@ class PerfectTabletop:
         self.actions = tabletop.actions
         self.default_actions = tabletop.default_actions
         self.relations = tabletop.relations
+        self.environments = tabletop.environments
         self.catalogue = tabletop.catalogue
         self.complete = tabletop.complete
         self.moves = False

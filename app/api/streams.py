@@ -16,6 +16,7 @@ from app.storage.events import EventRow
 
 LOOK_INTERVAL = 0.05  # [s] between looks for new events, however many streams are open
 CHECK_INTERVAL = 0.3  # [s] between looks whether the owner has ended
+RETRY_INTERVAL = 1000  # [ms] until a client whose connection broke comes back
 HEARTBEAT_INTERVAL = 10.0  # [s] between comments that keep an idle connection open
 
 Ending = dict[str, Any] | None
@@ -83,7 +84,7 @@ async def event_stream(tail: EventTail, read: Read, last_event_id: str | None) -
 
 
 async def _follow(tail: EventTail, read: Read, last: int) -> AsyncIterator[str]:
-    yield ": follows\n\n"
+    yield f"retry: {RETRY_INTERVAL}\n\n"
     told_at = time.monotonic()
     while True:
         ticket = tail.ticket()

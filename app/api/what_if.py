@@ -18,7 +18,8 @@ def changed_execution(session: Session, plan: PlanRow, given: ExecutionGiven) ->
     """The execution that is asked for; not stored yet.
 
     Raises:
-        Refused: the program cannot be used, or the execution to begin after is not the plan's.
+        Refused: the program cannot be used, the execution to begin after is not the plan's, or the
+            line is not in the program.
         Conflict: another seed would place the objects anew, but the plan goes on from a state.
     """
     row = execution_of(session, plan)
@@ -36,6 +37,7 @@ def changed_execution(session: Session, plan: PlanRow, given: ExecutionGiven) ->
         scene = read_scene(row.scene)
         flawless(given.program, scene, worlds[scene.world])
         row.program = given.program
+    _within(row.program, given.line)
     row.what_if = given.after is not None or (row.seed, row.program) != (plan.seed, plan.program)
     return row
 
@@ -56,6 +58,13 @@ def repeated(row: ExecutionRow) -> ExecutionRow:
     return ExecutionRow(
         id=new_id("ex"), created_at=now(), status="queued", rerun_of=row.id, **again
     )
+
+
+def _within(program: str, line: int | None) -> None:
+    lines = len(program.splitlines())
+    if line is not None and line > lines:
+        message = f"is beyond the program, which ends with line {lines}; give 1 to {lines}"
+        raise Refused(Fault(field="line", message=message))
 
 
 def _of_plan(session: Session, plan: PlanRow, execution_id: str) -> ExecutionRow:

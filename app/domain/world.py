@@ -112,6 +112,10 @@ class WorldDescription(Protocol):
     robots: tuple[RobotKind, ...]
     """Those a scene can name; none where who acts is no robot arm."""
 
+    def environments(self) -> tuple[str, ...]:
+        """Names of the ready-made ones a scene can name, the usual one first; a table has none."""
+        ...
+
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""
         ...

@@ -54,6 +54,10 @@ class Tabletop:
     def __init__(self) -> None:
         self._finder: Finder | None = None
 
+    def environments(self) -> tuple[str, ...]:
+        """None: a scene lists what stands on its table."""
+        return ()
+
     def catalogue(self) -> tuple[ObjectKind, ...]:
         """The object kinds it knows."""
         return tuple(kind.entry() for kind in kinds.values())

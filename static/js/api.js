@@ -1,5 +1,7 @@
 // The service as this page uses it: the same requests as everybody's.
 
+const PATIENCE = 3000; // [ms] in which a broken connection is taken up unnoticed
+
 /** An error of the service: a problem document (RFC 9457). */
 export class Problem extends Error {
   constructor(content, status) {
@@ -52,6 +54,7 @@ async function reach(path, options) {
   try {
     return await fetch(path, options);
   } catch {
+    window.dispatchEvent(new Event("unreachable"));
     throw new Problem({ detail: "The service cannot be reached. It may be restarting; try again." }, 0);
   }
 }
@@ -59,14 +62,21 @@ async function reach(path, options) {
 /**
  * Follows Server-Sent Events: `told` gets each event once, `ended` the last message.
  * A broken connection is taken up where it broke; `after` leaves out what is known already.
+ * `away(true)` is called if that takes long, `away(false)` when it is done.
  * Returns a function that stops it.
  */
-export function follow(path, told, ended, after = -1) {
+export function follow(path, { told, ended, away, after = -1 }) {
   let source = null;
   let timer = null;
+  let missed = null;
   let last = after;
   const open = () => {
     source = new EventSource(path);
+    source.onopen = () => {
+      clearTimeout(missed);
+      missed = null;
+      away(false);
+    };
     source.onmessage = (message) => {
       const event = JSON.parse(message.data);
       if (event.sequence <= last) return;
@@ -78,11 +88,14 @@ export function follow(path, told, ended, after = -1) {
       ended(JSON.parse(message.data));
     });
     source.onerror = () => {
+      window.dispatchEvent(new Event("unreachable"));
+      missed ??= setTimeout(() => away(true), PATIENCE);
       if (source.readyState === EventSource.CLOSED) timer = setTimeout(open, 1500);
     };
   };
   const stop = () => {
     clearTimeout(timer);
+    clearTimeout(missed);
     source.close();
   };
   open();

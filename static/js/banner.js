@@ -1,19 +1,8 @@
 // The head of a plan: what was asked, how far it is, and what can be done with it.
 
 import { byId, h } from "./dom.js";
+import { STATES, stateOf } from "./state.js";
 
-const WORDS = {
-  queued: "Waiting for its turn",
-  planning: "Writing the program",
-  planned: "Planned",
-  awaiting_approval: "Waiting for your approval",
-  executing: "Carrying it out",
-  succeeded: "Succeeded",
-  failed: "Failed",
-  declined: "Not planned, nothing was moved",
-  cancelled: "Cancelled",
-};
-export const TONES = { succeeded: "good", planned: "good", failed: "bad", cancelled: "warn", declined: "warn", awaiting_approval: "warn" };
 const UNDER_WAY = new Set(["queued", "planning", "executing"]);
 
 export class Banner {
@@ -26,18 +15,20 @@ export class Banner {
     // The same element all the time: what reads the page aloud follows its text.
     this.status = h("p", { role: "status" });
     this.rest = h("div");
-    this.root.append(this.title, this.sentence, this.status, this.rest);
+    this.lost = h("p", { class: "problem", role: "alert", hidden: true });
+    this.root.append(this.title, this.sentence, this.status, this.lost, this.rest);
   }
 
   hide() {
     this.root.hidden = true;
+    this.away(false);
     clearInterval(this.timer);
     this.since = null;
     this.shown = null;
   }
 
   show(plan, execution) {
-    const state = this.state(plan, execution);
+    const state = stateOf(plan, execution);
     const key = JSON.stringify([plan.id, state, execution?.id, execution?.identical, plan.replans, plan.executions, plan.error, execution?.error]);
     if (key === this.shown) return;
     if (state !== this.last || this.shown === null) this.since = performance.now();
@@ -49,12 +40,12 @@ export class Banner {
     this.clock = h("span", { class: "clock", "aria-hidden": "true" });
     this.title.textContent = plan.planner ? "Instruction" : "Program by hand";
     this.sentence.textContent = plan.instruction;
-    this.status.className = `status ${TONES[state] ?? ""}`;
+    this.status.className = `status ${STATES[state].tone ?? ""}`;
     this.status.dataset.status = state;
-    this.status.replaceChildren(WORDS[state] ?? state, ...(under ? [this.clock] : []));
+    this.status.replaceChildren(STATES[state].words, ...(under ? [this.clock] : []));
     const focused = this.rest.contains(document.activeElement) ? document.activeElement.textContent : null;
     this.rest.replaceChildren(...[
-      under && h("div", { class: "progress", role: "progressbar", "aria-label": WORDS[state] }),
+      under && h("div", { class: "progress", role: "progressbar", "aria-label": STATES[state].words }),
       this.why(plan, execution),
       state === "awaiting_approval" && h("p", { class: "why" }, "Nothing has been moved. Read the program; it is carried out when you approve it."),
       this.buttons(plan, execution, state),
@@ -64,10 +55,11 @@ export class Banner {
     if (under) this.timer = setInterval(() => this.tick(), 200);
   }
 
-  state(plan, execution) {
-    if (!execution) return plan.declined ? "declined" : plan.status;
-    // Of several executions the one that is shown counts.
-    return execution.status;
+  /** The service does not answer: nothing is known of what goes on, so no clock counts it. */
+  away(away) {
+    this.lost.hidden = !away;
+    this.lost.textContent = away ? "The service cannot be reached. This goes on by itself when it is back." : "";
+    this.root.classList.toggle("away", away);
   }
 
   tick() {
@@ -80,6 +72,7 @@ export class Banner {
     const told = failure ? `Line ${failure.line}, at “${failure.stage}”: ${failure.reason}` : (execution?.error ?? plan.error);
     const also = [];
     if (plan.replans) also.push(`Planned anew ${plan.replans === 1 ? "once" : `${plan.replans} times`}.`);
+    if (execution?.what_if) also.push(`This run was changed: ${changes(plan, execution)}.`);
     if (typeof execution?.identical === "boolean") also.push(execution.identical ? "The trace is the same, bit for bit." : "The trace differs from the run it repeats.");
     if (!told && !also.length) return null;
     return h("div", { class: "why" }, told && h("p", {}, told), ...also.map((text) => h("p", {}, text)));
@@ -122,4 +115,13 @@ export class Banner {
     this.rest.querySelector(".problem")?.remove();
     this.rest.append(h("p", { class: "problem", role: "alert" }, message));
   }
+}
+
+/** In what a run differs from its plan. */
+function changes(plan, { program, seed, begins_at_line }) {
+  const told = [];
+  if (program.trimEnd() !== plan.program.trimEnd()) told.push("another program than planned");
+  if (seed !== plan.seed) told.push(`seed ${seed} instead of ${plan.seed}`);
+  if (begins_at_line) told.push(`taken up before line ${begins_at_line}`);
+  return told.join(", ") || "taken up where another run ended";
 }

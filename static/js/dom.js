@@ -15,6 +15,12 @@ export function h(tag, attributes = {}, ...children) {
 
 export const byId = (id) => document.getElementById(id);
 
+/** Bring the top of an element into view, if it is not. */
+export function reveal(element) {
+  const { top } = element.getBoundingClientRect();
+  if (top < 0 || top > innerHeight - 200) element.scrollIntoView();
+}
+
 /** Has the browser keep this text as a file. */
 export function save(name, text) {
   const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));

@@ -1,8 +1,8 @@
 // Earlier plans, newest first, to be opened again.
 
 import { get } from "./api.js";
-import { TONES } from "./banner.js";
 import { ago, byId, h } from "./dom.js";
+import { STATES, stateOf } from "./state.js";
 
 export class Earlier {
   constructor() {
@@ -48,10 +48,12 @@ export class Earlier {
   }
 
   entry(plan) {
+    const state = stateOf(plan);
+    const { tone, brief } = STATES[state];
     const link = h("a", { href: `#/plans/${plan.id}`, "aria-current": plan.id === this.current && "page" },
-      h("span", { class: `dot ${TONES[plan.status] ?? "under-way"}`, "aria-hidden": "true" }),
+      h("span", { class: `dot ${tone ?? "under-way"}`, "aria-hidden": "true" }),
       h("span", { class: "sentence" }, plan.instruction || "Program by hand"),
-      h("span", { class: "when" }, `${plan.status.replace("_", " ")}, ${ago(plan.created_at)}`));
+      h("span", { class: "when" }, `${brief ?? state.replace("_", " ")}, ${ago(plan.created_at)}`));
     return h("li", {}, link);
   }
 }

@@ -19,6 +19,10 @@ function words(event) {
       return ["", `Understood: ${count(event.steps, "step")}${event.rejected ? `, ${event.rejected} rejected` : ""}`];
     case "planning_failed":
       return ["bad", "No plan came of it", event.reason];
+    case "asked":
+      return ["warn", "Asked back", event.reason];
+    case "declined":
+      return ["warn", "Declined", event.reason];
     case "execution_started":
       return ["", "The scene is set up"];
     case "comment_reached":

@@ -27,7 +27,7 @@ export class FollowUp {
     const name = `next-${plan.id}`;
     this.input = h("input", {
       id: "next", maxlength: 1000, autocomplete: "off",
-      placeholder: plan.declined ? "the red one" : "now the other one, or: put it back",
+      placeholder: suggestion(plan),
       oninput: () => remember(name, this.input.value),
     });
     this.input.value = recall(name, "");
@@ -67,4 +67,13 @@ export class FollowUp {
       this.button.disabled = false;
     }
   }
+}
+
+/** Something that could be said next, and would be understood. */
+function suggestion({ declined, scene, status, steps }) {
+  if (declined?.choices.length) return declined.choices[0];
+  if (declined || status === "failed") return "say it in your own words";
+  const used = new Set(steps.flatMap((step) => step.arguments));
+  const left = scene.world === "tabletop" && scene.objects.find((thing) => !thing.container && !used.has(thing.name));
+  return left ? `now the ${left.name}` : "say what comes next";
 }

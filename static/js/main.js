@@ -1,6 +1,6 @@
 // The page: a form on one side, the plan or the evaluation that the address names on the other.
 
-import { byId } from "./dom.js";
+import { byId, reveal } from "./dom.js";
 import { Earlier } from "./earlier.js";
 import { Evaluations } from "./evaluations.js";
 import { watchReadiness } from "./readiness.js";
@@ -20,7 +20,7 @@ const watch = new Watch({
 function show(plan) {
   earlier.update(plan);
   location.hash = `#/plans/${plan.id}`;
-  if (matchMedia("(max-width: 899px)").matches) byId("result").scrollIntoView();
+  reveal(byId("result"));
 }
 
 function route() {

@@ -33,6 +33,7 @@ export class ProgramView {
 
   reset(text = "Run a task, and the program appears here as it is written.") {
     this.lines = [];
+    this.source = null;
     this.text = null;
     this.root.replaceChildren(h("p", { class: "hint" }, text));
   }
@@ -61,16 +62,22 @@ export class ProgramView {
 
   /** The planning is over: the program as it was understood. */
   show(plan) {
-    if (!plan.program) {
-      if (this.text) this.text.removeAttribute("aria-busy");
-      return;
-    }
+    if (!plan.program) return this.end(plan);
     this.text = null;
+    this.source = plan.program;
     this.lines = plan.program.replace(/\n+$/, "").split("\n").map((text, index) => this.line(text, index + 1));
     const list = h("ol", { class: "lines code", "aria-label": "The program" }, this.lines.map((line) => line.element));
     this.root.replaceChildren(list, ...this.usage(plan));
     for (const call of plan.rejected) this.note(call.line, "skipped", `rejected: ${call.reason}`);
     for (const step of plan.steps) this.note(step.line, "pending", "");
+  }
+
+  /** The planning is over without a program; what was written of one stays. */
+  end(plan) {
+    if (plan.declined) return this.reset("Nothing was planned.");
+    if (!this.text) return this.reset("There is no program.");
+    this.text.removeAttribute("aria-busy");
+    return this.text.querySelector(".caret")?.remove();
   }
 
   usage({ usage, planner, rejected, completion, confidence }) {

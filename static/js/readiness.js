@@ -4,8 +4,10 @@ import { byId } from "./dom.js";
 
 const WAITING = 2000;
 const READY = 20000;
+let again = null;
 
 async function look() {
+  clearTimeout(again);
   const told = byId("readiness");
   const [state, text] = await fetch("/readyz").then(
     async (answer) => (answer.ok ? ["ready", "Ready"] : ["waiting", (await answer.json().catch(() => ({}))).detail ?? "Getting ready"]),
@@ -13,7 +15,12 @@ async function look() {
   );
   if (told.textContent !== text) told.textContent = text;
   told.dataset.state = state;
-  setTimeout(look, state === "ready" ? READY : WAITING);
+  clearTimeout(again);
+  again = setTimeout(look, state === "ready" ? READY : WAITING);
 }
 
-export const watchReadiness = look;
+/** Look now and then, and at once when the service does not answer. */
+export function watchReadiness() {
+  window.addEventListener("unreachable", look);
+  look();
+}

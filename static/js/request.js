@@ -14,7 +14,10 @@ export class RequestForm {
     this.form = byId("request");
     this.faults = new Faults(this.form, byId("problem"));
     this.settings = new Settings();
-    this.scene = new SceneEditor((ready) => this.takeTask(ready));
+    this.scene = new SceneEditor({
+      chosen: (ready) => this.takeTask(ready),
+      refused: (error) => this.refuse(error),
+    });
     // The goal that came with an instruction counts for that instruction only.
     this.task = recall("task", null);
     this.text = { instruction: byId("instruction"), program: byId("program"), goal: byId("goal") };
@@ -35,9 +38,14 @@ export class RequestForm {
     await this.scene.load();
   }
 
+  /** Take up the task of a ready scene, unless somebody has typed one of their own. */
   takeTask(ready) {
+    this.faults.clear();
     this.task = { instruction: ready.instruction, goal: ready.goal.join("\n") };
     remember("task", this.task);
+    this.text.instruction.placeholder = ready.instruction;
+    const typed = this.text.instruction.value.trim();
+    if (typed && !this.scene.hasInstruction(typed)) return;
     this.set("instruction", ready.instruction);
     this.set("goal", this.task.goal);
   }
@@ -122,8 +130,14 @@ export class RequestForm {
     }
   }
 
+  refuse(error) {
+    this.faults.clear();
+    this.faults.show(error);
+  }
+
   async copyCurl() {
     const button = byId("copy-curl");
+    this.faults.clear();
     try {
       const body = JSON.stringify(this.request(), null, 1).replaceAll("'", "'\\''");
       await copy(`curl -X POST ${location.origin}/plans -H 'Content-Type: application/json' -d '${body}'`);

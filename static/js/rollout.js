@@ -66,9 +66,12 @@ export class RolloutView {
     const scheme = location.protocol === "https:" ? "wss" : "ws";
     const socket = new WebSocket(`${scheme}://${location.host}/viewer/${this.execution}/${this.token}/playhead`);
     this.socket = socket;
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) socket.onopen = () => this.send({ mode: "paused" });
+    // Without motion it stands still, at the end as soon as there is one, unless somebody moves it.
+    this.still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (this.still) socket.onopen = () => this.tell({ mode: "paused" });
     socket.onmessage = (message) => {
       this.moment = JSON.parse(message.data);
+      if (this.still && this.moment.finished) this.seek(this.moment.duration);
       this.told = performance.now();
     };
     socket.onclose = (event) => {
@@ -111,7 +114,13 @@ export class RolloutView {
     }
   }
 
+  /** What somebody wants of the playhead. */
   send(command) {
+    this.still = false;
+    this.tell(command);
+  }
+
+  tell(command) {
     if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(command));
   }
 

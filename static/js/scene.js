@@ -1,15 +1,20 @@
 // The scene editor: ready scenes, a list of objects, and the same as JSON.
 
-import { get } from "./api.js";
+import { ActionChoice } from "./actions.js";
+import { get, Problem } from "./api.js";
 import { byId, h } from "./dom.js";
+import { Home } from "./home.js";
 import { recall, remember } from "./memory.js";
 
 const OWN = "own";
 
 export class SceneEditor {
-  /** `chosen(ready)` is called when somebody picks a ready scene. */
-  constructor(chosen) {
+  /** `chosen(ready)` is called when somebody picks a ready scene, `refused(error)` where its text is none. */
+  constructor({ chosen, refused }) {
     this.chosen = chosen;
+    this.refused = refused;
+    // Text that is no JSON yet, and why; the scene is the one before it, which nobody means any more.
+    this.broken = recall("broken", null);
     this.ready = new Map();
     this.kinds = [];
     this.scene = recall("scene", null);
@@ -17,7 +22,10 @@ export class SceneEditor {
     this.list = byId("object-list");
     this.json = byId("scene-json");
     this.robot = byId("robot");
-    this.robot.addEventListener("change", () => this.let(this.robot.value));
+    this.actions = new ActionChoice((actions) => this.change({ actions }));
+    this.home = new Home((environment) => this.change({ environment, graph: null }));
+    // The usual robot need not be named.
+    this.robot.addEventListener("change", () => this.change({ robot: this.robot.value === this.usual ? null : this.robot.value }));
     this.select.addEventListener("change", () => this.pick(this.select.value));
     byId("add-object").addEventListener("click", () => this.add());
     byId("toggle-json").addEventListener("click", () => this.toggle());
@@ -33,6 +41,7 @@ export class SceneEditor {
       ...names.map((name) => h("option", { value: name }, this.ready.get(name).title)),
       h("option", { value: OWN }, "My own scene"),
     );
+    this.worlds = (await get("/catalog/worlds").catch(() => ({ items: [] }))).items;
     this.kinds = (await get("/catalog/objects").catch(() => ({ items: [] }))).items;
     const robots = (await get("/catalog/robots").catch(() => ({ items: [] }))).items;
     this.usual = robots.find((robot) => robot.default)?.name ?? "";
@@ -40,6 +49,7 @@ export class SceneEditor {
     const kept = recall("ready", names[0]);
     if (this.scene === null) this.pick(names[0]);
     else this.show(this.ready.has(kept) ? kept : OWN);
+    if (this.broken) this.reveal(true);
   }
 
   /** Take up a ready scene. */
@@ -47,26 +57,36 @@ export class SceneEditor {
     if (name !== OWN) {
       const ready = this.ready.get(name);
       this.scene = structuredClone(ready.scene);
+      this.mend();
       this.chosen(ready);
     }
     this.keep(name);
     this.show(name);
   }
 
+  /** Whether this is the task of a ready scene. */
+  hasInstruction(text) {
+    return [...this.ready.values()].some((ready) => ready.instruction === text);
+  }
+
   /** Take up the scene of an earlier plan, as it was asked for: nothing of what was drawn at random. */
   take(scene) {
     const home = scene.environment || scene.graph;
     this.scene = present({ ...scene, objects: home ? null : scene.objects.map(present) });
+    this.mend();
     this.keep(OWN);
     this.show(OWN);
   }
 
-  /** Let this robot work in the scene, whichever it is; the usual one need not be named. */
-  let(robot) {
-    delete this.scene.robot;
-    if (robot !== this.usual) this.scene = { ...this.scene, robot };
+  /** Give the scene these parts; what is null is left to its world. */
+  change(parts) {
+    if (this.broken) {
+      this.draw();
+      return this.refused(this.fault());
+    }
+    this.scene = Object.fromEntries(Object.entries({ ...this.scene, ...parts }).filter(([, value]) => value !== null));
     this.keep(this.select.value);
-    this.show(this.select.value);
+    return this.show(this.select.value);
   }
 
   keep(name) {
@@ -83,15 +103,26 @@ export class SceneEditor {
   show(name) {
     this.select.value = name;
     byId("scene-about").textContent = this.ready.get(name)?.about ?? "";
-    const home = this.scene.environment ?? (this.scene.graph && "of your own");
-    byId("scene-legend").textContent = home ? "In the home" : "On the table";
-    byId("add-object").hidden = Boolean(home) || !this.json.hidden;
-    byId("robot-field").hidden = (this.scene.world ?? "tabletop") !== "tabletop" || this.robot.options.length < 2;
-    this.robot.value = this.scene.robot ?? this.usual;
-    if (home) this.list.replaceChildren(h("li", { class: "hint whole" }, `Everything in the home “${home}”.`));
+    this.draw();
+    this.json.value = this.broken?.text ?? JSON.stringify(this.scene, null, 1);
+    // The rows are new ones; what was said about the old ones goes with them.
+    byId("scene-objects").dispatchEvent(new Event("change", { bubbles: true }));
+  }
+
+  /** Everything but the text, which may be being typed. */
+  draw() {
+    const { scene } = this;
+    const world = this.worlds.find((one) => one.name === (scene.world ?? "tabletop"));
+    const homes = world?.environments ?? [];
+    const atHome = homes.length > 0;
+    this.home.show(scene, homes);
+    this.actions.show(scene, world);
+    byId("scene-legend").textContent = atHome ? "In the home" : "On the table";
+    byId("add-object").hidden = atHome || !this.json.hidden;
+    byId("robot-field").hidden = (scene.world ?? "tabletop") !== "tabletop" || this.robot.options.length < 2;
+    this.robot.value = scene.robot ?? this.usual;
+    if (atHome) this.list.replaceChildren(h("li", { class: "hint whole" }, scene.objects?.length ? `Of its things the planner is told ${scene.objects.length}; see the JSON.` : "Everything that is there."));
     else this.list.replaceChildren(...this.objects().map((object, index) => this.entry(object, index)));
-    this.json.value = JSON.stringify(this.scene, null, 1);
-    this.json.removeAttribute("aria-invalid");
   }
 
   objects() {
@@ -154,34 +185,50 @@ export class SceneEditor {
     (next?.querySelector(".remove") ?? byId("add-object")).focus();
   }
 
+  /** Text that is no JSON is not left behind: it stays in sight until it is. */
   toggle() {
-    const shown = this.json.hidden;
-    this.json.hidden = !shown;
-    this.list.hidden = shown;
-    byId("add-object").hidden = shown || Boolean(this.scene.environment);
-    byId("toggle-json").setAttribute("aria-pressed", String(shown));
-    byId("toggle-json").textContent = shown ? "as a list" : "as JSON";
-    if (shown) this.json.focus();
-    else this.show(this.select.value);
+    if (this.broken) this.refused(this.fault());
+    else this.reveal(this.json.hidden);
+    if (!this.json.hidden) this.json.focus();
+  }
+
+  /** Show the scene as JSON, or as a list. */
+  reveal(asJson) {
+    this.json.hidden = !asJson;
+    this.list.hidden = asJson;
+    byId("toggle-json").setAttribute("aria-pressed", String(asJson));
+    byId("toggle-json").textContent = asJson ? "as a list" : "as JSON";
+    this.show(this.select.value);
   }
 
   readJson() {
+    const text = this.json.value;
     try {
-      const scene = JSON.parse(this.json.value);
-      if (typeof scene !== "object" || scene === null || Array.isArray(scene)) throw new SyntaxError();
+      const scene = JSON.parse(text);
+      if (typeof scene !== "object" || scene === null || Array.isArray(scene)) throw new SyntaxError("it is no object in braces");
       this.scene = scene;
-      this.json.removeAttribute("aria-invalid");
+      this.mend();
       this.changed();
-    } catch {
-      this.json.setAttribute("aria-invalid", "true");
+    } catch (error) {
+      this.broken = { text, why: error.message };
+      remember("broken", this.broken);
     }
+    this.draw();
   }
 
-  /** The scene as it is sent; empty rows are not. Throws where the JSON is none. */
+  mend() {
+    this.broken = null;
+    remember("broken", null);
+  }
+
+  fault() {
+    const message = `The scene is not JSON: ${this.broken.why}`;
+    return new Problem({ detail: message, errors: [{ field: "scene.text", message }] });
+  }
+
+  /** The scene as it is sent; empty rows are not. Throws where its text is no JSON. */
   request() {
-    if (!this.json.hidden && this.json.getAttribute("aria-invalid")) {
-      throw new Error("The scene is not JSON.");
-    }
+    if (this.broken) throw this.fault();
     const objects = this.scene.objects;
     if (!Array.isArray(objects)) return this.scene;
     return { ...this.scene, objects: objects.filter((object) => String(object?.name ?? "").trim() !== "") };

@@ -2,16 +2,17 @@
 
 import { all, follow, get, post } from "./api.js";
 import { Banner } from "./banner.js";
-import { save } from "./dom.js";
+import { byId, reveal, save } from "./dom.js";
 import { EventList } from "./events.js";
 import { FollowUp } from "./followup.js";
 import { ProgramView } from "./program.js";
 import { RolloutView } from "./rollout.js";
 import { ScoreBoard } from "./scores.js";
+import { isOver, stateOf } from "./state.js";
 import { WhatIf } from "./whatif.js";
 
 const LIT_BY = new Set(["comment_reached", "action_started", "assertion_checked", "call_skipped", "recovery_taken", "branch_decided"]);
-const OVER = new Set(["planned", "succeeded", "failed", "cancelled"]);
+const NO_FAILURE = new Set(["asked", "declined"]);
 
 export class Watch {
   /**
@@ -45,6 +46,7 @@ export class Watch {
     this.plan = null;
     this.execution = null;
     this.known = -1;
+    this.unplanned = null;
     this.banner.hide();
     this.followUp.hide();
     this.whatIf.hide();
@@ -68,16 +70,21 @@ export class Watch {
     this.wanted = execution;
     const plan = await this.refresh(id);
     if (!plan) return;
-    this.program.reset(plan.program || OVER.has(plan.status) ? "There is no program." : "The program appears here as it is written …");
+    this.program.reset(plan.program || isOver(plan) ? "There is no program." : "The program appears here as it is written …");
     this.events.reset("Nothing has happened yet.");
-    if (OVER.has(plan.status) && !plan.executions.length) this.rollout.reset("This plan was not carried out.");
+    if (isOver(plan) && !plan.executions.length) this.rollout.reset("This plan was not carried out.");
     else this.rollout.reset("The rollout begins when the program is there.");
     if (plan.program) this.program.show(plan);
     this.followPlanning(id);
   }
 
   followPlanning(id) {
-    this.stop = follow(`/plans/${id}/events`, (event) => this.planned(event), () => this.planningOver(id), this.known);
+    this.stop = follow(`/plans/${id}/events`, {
+      told: (event) => this.planned(event),
+      ended: () => this.planningOver(id),
+      away: (away) => this.banner.away(away),
+      after: this.known,
+    });
   }
 
   async refresh(id = this.id) {
@@ -86,7 +93,7 @@ export class Watch {
       if (this.id !== id) return null;
       this.plan = plan;
       this.banner.show(plan, this.execution);
-      if (OVER.has(plan.status)) this.followUp.show(plan);
+      if (isOver(plan)) this.followUp.show(plan);
       else this.followUp.hide();
       this.changed(plan);
       return plan;
@@ -98,7 +105,9 @@ export class Watch {
 
   planned(event) {
     this.known = event.sequence;
-    this.events.add(event);
+    // Whether that is a failure, a refusal or a question, the plan tells when it is over.
+    if (event.kind === "planning_failed") this.unplanned = event;
+    else this.events.add(event);
     if (event.kind === "planning_started") {
       this.program.begin();
       if (this.plan.status === "queued") {
@@ -114,19 +123,29 @@ export class Watch {
     const plan = await this.refresh(id);
     if (!plan) return;
     this.program.show(plan);
+    if (this.unplanned) this.events.add({ ...this.unplanned, kind: NO_FAILURE.has(stateOf(plan)) ? stateOf(plan) : "planning_failed" });
     const execution = this.wanted ?? plan.executions.at(-1);
     if (execution) this.watchExecution(execution);
     else {
+      if (plan.status === "awaiting_approval") reveal(byId("result"));
       this.rollout.reset(plan.status === "awaiting_approval" ? "The rollout begins when you approve the plan." : "This plan was not carried out.");
+      if (isOver(plan)) this.scores.reset("Nothing was carried out, so there is nothing to score.");
       this.scores.show(plan, null);
     }
   }
 
   async watchExecution(execution) {
     const id = this.id;
+    this.wanted = execution;
     this.rollout.show(execution);
-    this.stop = follow(`/executions/${execution}/events`, (event) => this.happened(event), () => this.executionOver(id, execution));
+    // Its program comes first: a changed one has other lines than the plan's.
     await this.refreshExecution(id, execution);
+    if (this.id !== id || this.wanted !== execution) return;
+    this.stop = follow(`/executions/${execution}/events`, {
+      told: (event) => this.happened(event),
+      ended: () => this.executionOver(id, execution),
+      away: (away) => this.banner.away(away),
+    });
   }
 
   async executionOver(id, execution) {
@@ -135,7 +154,7 @@ export class Watch {
     if (this.id !== id) return;
     if (this.running) this.program.note(this.running, "stopped", "stopped before it was done");
     this.scores.show(this.plan, this.execution);
-    if (!OVER.has(this.plan.status) && this.plan.tries.at(-1)?.execution === execution) this.planAnew(id);
+    if (!isOver(this.plan) && this.plan.tries.at(-1)?.execution === execution) this.planAnew(id);
     else if (this.execution) this.whatIf.show(this.plan, this.execution);
   }
 
@@ -152,7 +171,7 @@ export class Watch {
     const shown = await get(`/executions/${execution}`).catch(() => null);
     if (this.id !== id || !shown) return;
     this.execution = shown;
-    if (shown.program !== this.plan.program) this.program.show({ ...this.plan, program: shown.program, steps: shown.steps, rejected: [] });
+    if (shown.program !== this.program.source) this.program.show({ ...this.plan, program: shown.program, steps: shown.steps, rejected: [], ...(shown.what_if && { usage: null }) });
     this.banner.show(this.plan, shown);
   }
 
@@ -211,7 +230,7 @@ export class Watch {
 
   /** What is under way is stopped: of a plan that is over, a what-if or a repetition. */
   cancel() {
-    const running = OVER.has(this.plan.status) && this.execution;
+    const running = isOver(this.plan) && this.execution;
     return this.act(`${running ? `/executions/${running.id}` : `/plans/${this.id}`}/cancel`, () => this.refresh());
   }
 

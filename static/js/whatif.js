@@ -2,12 +2,15 @@
 
 import { post } from "./api.js";
 import { byId, h } from "./dom.js";
+import { Faults } from "./faults.js";
 
 export class WhatIf {
   /** `started(execution)` is called when the changed run has been taken. */
   constructor(started) {
     this.started = started;
     this.root = byId("whatif");
+    this.problem = h("p", { class: "problem", role: "alert", hidden: true });
+    this.faults = new Faults(this.root, this.problem);
     this.hide();
   }
 
@@ -28,8 +31,7 @@ export class WhatIf {
     this.line = h("input", { id: "whatif-line", type: "number", min: 1, max: rows, step: 1, placeholder: "the beginning" });
     this.seed = h("input", { id: "whatif-seed", type: "number", min: 0, max: 4294967295, step: 1 });
     this.seed.value = execution.seed;
-    this.problem = h("p", { class: "problem", role: "alert", hidden: true });
-    const field = (label, control) => h("div", { class: "field" }, h("label", { for: control.id }, label), control);
+    const field = (label, control) => h("div", { class: "field", "data-field": control.id.replace("whatif-", "") }, h("label", { for: control.id }, label), control);
     this.root.replaceChildren(
       h("summary", {}, "What if …"),
       h("p", { class: "hint" }, "Change a line or the seed; the world is taken over as it stood before the line."),
@@ -39,13 +41,14 @@ export class WhatIf {
         h("button", { type: "button", class: "small", onclick: () => this.run() }, "Run it so"),
         h("button", { type: "button", class: "small quiet", onclick: () => this.repeat() }, "Repeat unchanged and compare")),
       this.problem);
+    this.faults.clear();
     this.root.hidden = false;
   }
 
   run() {
     const body = { program: `${this.text.value}\n`, seed: Number(this.seed.value) };
-    const line = Number(this.line.value);
-    if (line > 1) Object.assign(body, { after: this.execution.id, line });
+    const line = Number(this.line.value || 1);
+    if (line !== 1) Object.assign(body, { after: this.execution.id, line });
     return this.start(`/plans/${this.plan.id}/executions`, body);
   }
 
@@ -54,12 +57,11 @@ export class WhatIf {
   }
 
   async start(path, body) {
-    this.problem.hidden = true;
+    this.faults.clear();
     try {
       this.started(await post(path, body));
     } catch (error) {
-      this.problem.textContent = error.message;
-      this.problem.hidden = false;
+      this.faults.show(error);
     }
   }
 }

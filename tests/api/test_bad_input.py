@@ -93,6 +93,12 @@ def test_all_faults_are_told_at_once(standing, request_body, problem_of):
     assert fields == {"instruction", "planner.name", "planner.model"}
 
 
+def test_the_other_of_two_names_is_told_as_people_count(standing, problem_of):
+    body = {"world": "tabletop", "objects": [{"name": "cup"}, {"name": "cup"}]}
+    [fault] = problem_of(standing.post("/scenes/validate", json=body), 422)["errors"]
+    assert "object 1 of the list" in fault["message"]
+
+
 @pytest.mark.parametrize(
     "wrong", [{"kind": "dragon", "colour": "loud"}, {"weight": 3, "height": 3}]
 )

@@ -42,6 +42,18 @@ def test_every_catalogue_lists_what_can_be_named(standing, name):
     assert all(item["name"] for item in items)
 
 
+def test_worlds_tell_the_environments_that_a_scene_can_name(standing):
+    items = standing.get("/catalog/worlds").json()["items"]
+    of = {item["name"]: item["environments"] for item in items}
+    assert of["household"][0] == "env0"
+    assert of["tabletop"] == []
+
+
+def test_canned_completions_are_no_model_to_choose_where_there_are_none(standing):
+    items = standing.get("/catalog/models").json()["items"]
+    assert "scripted" not in [item["name"] for item in items]
+
+
 def test_a_catalogue_of_an_unknown_world_is_refused(standing, problem_of):
     problem = problem_of(standing.get("/catalog/objects", params={"world": "moon"}), 422)
     assert problem["errors"][0]["field"] == "world"

@@ -1,3 +1,5 @@
+import re
+
 import pytest
 from sqlalchemy import event
 
@@ -138,6 +140,14 @@ def test_a_recording_is_a_file_to_download(client, request_body):
 
 def test_a_world_without_motion_has_no_recording(client, executed, problem_of):
     problem_of(client.get(f"/executions/{executed[1]}/recording"), 404)
+
+
+def test_a_what_if_begins_at_a_line_of_its_program(client, executed, problem_of):
+    plan_id, execution_id = executed
+    body = {"after": execution_id, "line": 99}
+    [fault] = problem_of(client.post(f"/plans/{plan_id}/executions", json=body), 422)["errors"]
+    assert fault["field"] == "line"
+    assert re.search(r"ends with line (\d+); give 1 to \1", fault["message"])
 
 
 def test_numbers_beyond_what_a_database_holds_are_refused(client, executed, problem_of):

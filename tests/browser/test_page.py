@@ -228,7 +228,7 @@ def test_nothing_is_wider_than_a_small_phone(open_page, finished):
         page = open_page(path, viewport={"width": 360, "height": 740})
         if path != "/":
             expect(page.locator('[data-score="sr"] dd')).to_have_text("1")
-        for part in page.locator("#desk summary").all():
+        for part in page.locator("#desk summary:visible").all():
             part.click()
         assert page.evaluate("document.documentElement.scrollWidth") == 360
         wider = """[...document.querySelectorAll("main *")].filter(
@@ -254,6 +254,196 @@ def test_errors_are_shown_at_the_fields_they_name(open_page):
     page.get_by_label("Conditions that should hold").fill("in(banana)")
     run.click()
     expect(page.locator("[data-field=goal] .fault")).to_contain_text("Line 1")
+
+
+def test_marks_go_with_what_they_are_about(open_page):
+    page = open_page()
+    page.get_by_label("Scene", exact=True).select_option("juice-by-the-bed")
+    page.get_by_role("button", name="as JSON").click()
+    text = page.get_by_label("The scene as JSON")
+    scene = text.input_value()
+    text.fill(scene.replace("env0", "env7"))
+    page.get_by_role("button", name="Run", exact=True).click()
+    fault = page.locator(".fault")
+    expect(fault).to_contain_text("there is no home 'env7'")
+    expect(page.locator("#problem")).to_be_visible()
+    text.fill(scene.replace("env0", "env1"))
+    expect(fault).to_have_count(0)
+    expect(page.locator("#problem")).to_be_hidden()
+
+
+def test_scene_that_is_no_json_is_refused_and_stays_until_it_is(open_page):
+    page = open_page()
+    page.get_by_role("button", name="as JSON").click()
+    text = page.get_by_label("The scene as JSON")
+    whole = text.input_value()
+    text.fill(whole[:-1])
+    fault = page.locator("#scene-objects .fault")
+    for name in ("Run", "Copy as curl", "as a list"):
+        page.get_by_role("button", name=name, exact=True).click()
+        expect(fault).to_contain_text("The scene is not JSON: ")
+        expect(text).to_have_value(whole[:-1])
+        expect(text).to_be_focused()
+    page.reload()
+    expect(text).to_have_value(whole[:-1])
+    page.get_by_role("button", name="Run", exact=True).click()
+    text.press("Control+End")
+    text.press("}")
+    expect(fault).to_have_count(0)
+    page.get_by_role("button", name="as a list").click()
+    expect(text).to_be_hidden()
+
+
+def test_every_action_of_the_world_can_be_put_on_offer(open_page):
+    page = open_page()
+    count = page.locator("#action-count")
+    expect(count).to_have_text("grab_and_putin")
+    page.locator("#actions-part summary").press("Enter")
+    page.get_by_label("pick(obj)").press("Space")
+    expect(count).to_have_text("2 of 18 actions")
+    expect(page.get_by_label("pick(obj)")).to_be_focused()
+    scene = page.locator("#scene-json")
+    assert json.loads(scene.input_value())["actions"] == ["grab_and_putin", "pick"]
+    page.reload()
+    expect(count).to_have_text("2 of 18 actions")
+    page.locator("#actions-part summary").click()
+    page.get_by_role("button", name="All", exact=True).click()
+    expect(count).to_have_text("18 of 18 actions")
+    page.get_by_role("button", name="Usual", exact=True).click()
+    assert "actions" not in json.loads(scene.input_value())
+    page.get_by_label("Scene", exact=True).select_option("juice-by-the-bed")
+    expect(count).to_have_text("11 of 41 actions")
+
+
+def test_home_is_chosen_from_the_catalogue_and_tells_its_rooms(open_page):
+    page = open_page()
+    expect(page.get_by_label("Home", exact=True)).to_be_hidden()
+    page.get_by_label("Scene", exact=True).select_option("juice-by-the-bed")
+    page.locator("#rooms-part summary").click()
+    rooms = page.locator("#room-list")
+    expect(rooms).to_contain_text("fridge")
+    expect(rooms).not_to_contain_text("childrensroom")
+    page.get_by_label("Home", exact=True).select_option("env1")
+    expect(rooms).to_contain_text("childrensroom")
+    assert json.loads(page.locator("#scene-json").input_value())["environment"] == "env1"
+
+
+def test_question_back_is_no_failure_anywhere(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    page.get_by_text("Settings").click()
+    page.get_by_label("Planner", exact=True).select_option("situated")
+    page.get_by_label("And then?").fill("put it back")  # with no action that can
+    page.get_by_role("button", name="Go on").click()
+    expect(status(page)).to_have_text("Asked back, nothing was moved")
+    expect(page.locator("#earlier-list [aria-current=page]")).to_contain_text("asked back")
+    expect(page.locator("#earlier-list [aria-current=page] .dot")).to_have_class("dot warn")
+    expect(page.locator("[data-kind=asked]")).to_contain_text("Asked back")
+    expect(page.locator("#program-view")).to_have_text("Nothing was planned.")
+    expect(page.locator(".caret")).to_have_count(0)
+    expect(page.locator("#scores-view")).to_contain_text("nothing to score")
+
+
+def test_reply_field_suggests_what_would_be_understood(open_page, service, finished):
+    scene = {"objects": [{"name": "banana"}, {"name": "bowl"}, {"name": "pear"}]}
+    with httpx.Client(base_url=service.url, timeout=60) as http:
+        request = {"scene": scene, "instruction": SENTENCE, "execute": False}
+        plan = http.post("/plans", json=request).json()["id"]
+    page = open_page(f"/#/plans/{plan}")
+    reply = page.locator("#next")
+    expect(reply).to_have_attribute("placeholder", "now the pear")
+    page.goto(f"{service.url}/#/plans/{finished}")
+    expect(reply).to_have_attribute("placeholder", "say what comes next")  # all has been moved
+
+    choices = ["put the red block in the bowl", "put the blue block in the bowl"]
+    declined = {"kind": "ambiguous", "reason": "", "question": "Which?", "choices": choices}
+
+    def ask(route):
+        content = route.fetch().json() | {"status": "failed", "declined": declined}
+        route.fulfill(json=content)
+
+    page.route(f"**/plans/{plan}", ask)
+    page.goto(f"{service.url}/#/plans/{plan}")
+    expect(reply).to_have_attribute("placeholder", choices[0])
+
+
+def test_what_comes_of_run_is_brought_into_view(open_page):
+    page = open_page(viewport={"width": 1280, "height": 700})
+    page.locator("#settings-part summary").click()
+    page.get_by_label("Ask me before it is carried out").check()
+    page.get_by_label("What should the robot do?").fill(SENTENCE)
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(status(page)).to_be_in_viewport()
+    expect(status(page)).to_have_text("Waiting for your approval")
+    expect(page.get_by_role("button", name="Approve and run")).to_be_in_viewport()
+
+
+def test_typed_sentence_is_kept_when_another_scene_is_chosen(open_page):
+    page = open_page()
+    sentence = page.get_by_label("What should the robot do?")
+    page.get_by_label("Scene", exact=True).select_option("banana-in-the-bowl")
+    expect(sentence).to_have_value(SENTENCE)  # one ready sentence gives way to another
+    sentence.fill("tidy up, please")
+    page.get_by_label("Scene", exact=True).select_option("dinner-table")
+    expect(sentence).to_have_value("tidy up, please")
+    expect(page.locator("#goal-count")).to_have_text("none")
+
+
+def test_service_that_goes_away_is_told_where_it_is_missed(open_page, service):
+    page = open_page()
+    page.get_by_label("What should the robot do?").fill("go on forever")
+    page.get_by_role("button", name="Run", exact=True).click()
+    expect(page.locator("pre.writing")).to_contain_text("on and on")
+    service.stop()
+    missed = page.locator("#banner .problem")
+    expect(missed).to_contain_text("The service cannot be reached")
+    expect(page.locator("#readiness")).to_have_attribute("data-state", "gone")
+    expect(page.locator("#banner .clock")).to_be_hidden()
+    service.start()
+    expect(missed).to_be_hidden()
+    expect(page.locator("#readiness")).not_to_have_attribute("data-state", "gone")
+    page.get_by_role("button", name="Cancel").click()
+    expect(status(page)).to_have_text("Cancelled")
+
+
+def test_changed_run_says_so_and_marks_its_own_lines(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(status(page)).to_have_text("Succeeded")
+    page.locator("#whatif summary").click()
+    page.get_by_label("From line").fill("9")
+    page.get_by_role("button", name="Run it so").click()
+    fault = page.locator('#whatif [data-field="line"] .fault')
+    expect(fault).to_contain_text("give 1 to ")
+    page.get_by_label("From line").fill("")
+    expect(fault).to_have_count(0)
+    program = "def task():\n    grab_and_putin('banana', 'bowl')\n"
+    page.locator("#whatif-program").fill(program)
+    page.get_by_role("button", name="Run it so").click()
+    expect(page.locator("#banner .why")).to_contain_text("another program than planned")
+    expect(status(page)).to_have_text("Succeeded")
+    expect(page.locator("#whatif")).to_be_visible()  # everything is over
+    expect(page.locator('.lines [data-line="2"]')).to_have_attribute("data-state", "performed")
+    expect(page.locator(".lines li")).to_have_count(2)
+    expect(page.locator(".usage")).to_have_count(0)  # no model wrote it
+
+
+def test_without_motion_a_finished_run_shows_its_end(open_page, finished):
+    page = open_page(f"/#/plans/{finished}")
+    expect(slider(page)).to_be_enabled()
+    expect(page.locator(".controls .play")).to_have_text("Replay")
+    assert float(slider(page).input_value()) > duration(page) - 0.1
+
+
+def test_labels_stand_beside_their_boxes_and_the_chosen_way_stands_out(open_page):
+    page = open_page(viewport={"width": 1280, "height": 700}, color_scheme="dark")
+    page.locator("#settings-part summary").click()
+    for box in page.locator("#settings .check").all():
+        [tick, label] = [box.locator(part).bounding_box() for part in ("input", "label")]
+        assert label["x"] > tick["x"] + tick["width"]
+    background = "one => getComputedStyle(one).backgroundColor"
+    [chosen, other] = [page.locator(".switch label").nth(n).evaluate(background) for n in (0, 1)]
+    [red, green, blue] = map(int, re.findall(r"\d+", chosen))
+    assert chosen != other
+    assert green > max(red, blue)  # not one grey beside another
 
 
 def test_running_plan_can_be_cancelled(open_page):

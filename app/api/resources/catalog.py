@@ -27,6 +27,7 @@ def list_worlds() -> Page:
             "name": name,
             "actions": [action.name for action in world.actions],
             "default_actions": list(world.default_actions),
+            "environments": list(world.environments()),
             "planner": world.planner,
             "moves": world.moves,
             "relations": world.relations,
@@ -65,7 +66,10 @@ def list_actions(world: World = "tabletop") -> Page:
 
 @router.get("/models")
 def list_models(parts: Using) -> Page:
-    """The language models a plan can name; `default` marks the one that most plans will use."""
+    """The language models a plan can name; `default` marks the one that most plans will use.
+
+    The one with canned completions is among them where its file is configured.
+    """
     default = parts.default_model
     if default == "default":
         default = planners[worlds["tabletop"].planner].model
@@ -79,6 +83,7 @@ def list_models(parts: Using) -> Page:
             "default": default in (spec.name, *spec.aliases),
         }
         for spec in catalogue(parts.llm)
+        if spec.backend != "scripted" or parts.llm.scripted_file
     )
 
 

@@ -109,7 +109,7 @@ class SceneGiven(Given):
         default=None,
         min_length=1,
         max_length=100,
-        description="Names of the world's action primitives on offer; null for all of them.",
+        description="Names of the world's action primitives on offer; null for its usual ones.",
     )
     environment: Name | None = Field(
         default=None, description="One of the world's ready-made environments, where it has any."

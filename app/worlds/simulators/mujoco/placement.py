@@ -97,7 +97,7 @@ def _name_clashes(scene: Scene) -> list[Fault]:
     faults: list[Fault] = []
     for index, name in enumerate(scene.names):
         if first.setdefault(name, index) != index:
-            message = f"is also the name of object {first[name]}; every name must be its own"
+            message = f"is also the name of object {first[name] + 1} of the list; every name must be its own"
             faults.append(Fault(field=f"scene.objects.{index}.name", message=message))
     return faults
 
