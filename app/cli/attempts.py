@@ -17,9 +17,8 @@ from app.evaluation.attempt import Unit
 from app.evaluation.results import Result, read_results
 from app.evaluation.runs import RESULTS, OpenModels, Progress, evaluate_units
 from app.evaluation.writing import FILES
-from app.main.models import llm_config
+from app.main.models import llm_config, open_models
 from app.settings import Settings
-from app.worker.models import Models
 
 FOLDER = click.Path(file_okay=False, path_type=Path)
 BATCH = 128
@@ -29,12 +28,12 @@ JOBS = min(2, os.cpu_count() or 1)
 EXISTING = click.Path(exists=True, file_okay=False, path_type=Path)
 
 
-def open_models(jobs: int) -> OpenModels:
+def opening(jobs: int) -> OpenModels:
     """What opens models in each of so many processes of an evaluation, which share the threads."""
     settings = Settings.from_environment()
     config = llm_config(settings)
     config = replace(config, threads=max(1, config.threads // jobs), batch=BATCH)
-    return partial(Models, config, settings.model)
+    return partial(open_models, config, settings.model)
 
 
 def run(units: Sequence[Unit], out: Path, jobs: int, seconds: float | None) -> list[Result]:
@@ -57,7 +56,7 @@ def run(units: Sequence[Unit], out: Path, jobs: int, seconds: float | None) -> l
         try:
             with interrupted():
                 return evaluate_units(
-                    units, open_models(jobs), out, jobs=jobs, seconds=seconds, report=tell
+                    units, opening(jobs), out, jobs=jobs, seconds=seconds, report=tell
                 )
         except KeyboardInterrupt:
             known = {result.key: result for result in read_results(out / RESULTS)}

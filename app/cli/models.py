@@ -16,8 +16,8 @@ from rich.progress import (
     TransferSpeedColumn,
 )
 
-from app.llm.embeddings import EMBEDDINGS
-from app.llm.models import ModelSpec, catalogue, find_model
+from app.llm.embeddings import EMBEDDINGS, embedding_store
+from app.llm.models import LlmConfig, ModelSpec, catalogue, find_model
 from app.llm.sources import weight_store
 from app.llm.weights import Progress as OnProgress
 from app.llm.weights import WeightStore
@@ -67,12 +67,14 @@ def fetch(name: str, fully: bool = False) -> None:
 
     An adapted model comes with the sentence embeddings by which its planner tells what is meant.
     """
-    spec, store = _find(name)
+    spec, config = _find(name)
     if spec.weights is None:
         click.echo(f"{spec.name} needs no weights", err=True)
         return
-    wanted = [spec.weights] if spec.adapter is None else [spec.weights, *EMBEDDINGS]
-    for weights in wanted:
+    wanted = [(spec.weights, weight_store(config, _notice))]
+    if spec.adapter is not None:
+        wanted += [(each, embedding_store(each, config, _notice)) for each in EMBEDDINGS]
+    for weights, store in wanted:
         with _progress() as progress:
             path = store.ensure(weights, progress, fully=fully)
         click.echo(f"{weights.name}: {path}")
@@ -82,20 +84,24 @@ def fetch(name: str, fully: bool = False) -> None:
 @click.argument("name", default="default")
 def verify(name: str) -> None:
     """Compare the checksum of every byte of the weights of the model NAME."""
-    spec, store = _find(name)
+    spec, config = _find(name)
     if spec.weights is None:
         click.echo(f"{spec.name} needs no weights", err=True)
         return
+    store = weight_store(config, _notice)
     store.verify(spec.weights)
     path = store.path(spec.weights)
     click.echo(f"{path}: {spec.weights.bytes:,} bytes, sha256 {spec.weights.sha256}, as it should")
 
 
-def _find(name: str) -> tuple[ModelSpec, WeightStore]:
+def _find(name: str) -> tuple[ModelSpec, LlmConfig]:
     settings = Settings.from_environment()
     config = llm_config(settings)
-    spec = find_model(settings.model if name == "default" else name, config)
-    return spec, weight_store(config, notice=lambda said: click.echo(said, err=True))
+    return find_model(settings.model if name == "default" else name, config), config
+
+
+def _notice(said: str) -> None:
+    click.echo(said, err=True)
 
 
 def _row(spec: ModelSpec, store: WeightStore) -> dict[str, object]:

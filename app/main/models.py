@@ -1,8 +1,10 @@
 """What the settings say about language models."""
 
+from app.llm.embeddings import take_from
 from app.llm.models import Endpoint, LlmConfig
 from app.llm.vision import VisionEndpoint
 from app.settings import Settings
+from app.worker.models import Models
 
 
 def vision_endpoint(settings: Settings) -> VisionEndpoint | None:
@@ -46,3 +48,9 @@ def llm_config(settings: Settings) -> LlmConfig:
         endpoints=tuple(endpoints),
         scripted_file=settings.scripted,
     )
+
+
+def open_models(config: LlmConfig, default: str) -> Models:
+    """What opens language models in this process; its sentence embeddings come from where they do."""
+    take_from(config)
+    return Models(config, default)

@@ -4,7 +4,7 @@ from functools import partial
 
 from app.domain.planner import Preambled
 from app.domain.scene import Scene
-from app.main.models import llm_config
+from app.main.models import llm_config, open_models
 from app.main.worlds import furnish
 from app.planners import planners
 from app.rollout import offered
@@ -13,7 +13,6 @@ from app.storage.database import Database
 from app.storage.handover import Handover
 from app.storage.jobs import Jobs, Queue
 from app.worker.evaluating import Evaluating, SharedDesk
-from app.worker.models import Models
 from app.worker.planning import Planning
 from app.worker.process import WorkerProcess
 from app.worker.simulation import Simulation
@@ -26,7 +25,7 @@ def create_worker(settings: Settings, queue: Queue, name: str) -> WorkerProcess:
     jobs = Jobs(database)
     handover = Handover(jobs)
     furnish(settings, database)
-    models = Models(llm_config(settings), settings.model)
+    models = open_models(llm_config(settings), settings.model)
     if queue == "planning":
         desk = SharedDesk(Planning(database, handover, models), Evaluating(database, jobs, models))
         model, preambles = _expected(settings)

@@ -82,6 +82,7 @@ class PlanRow(Base):
 _BY_ID = select(PlanRow).where(PlanRow.id == bindparam("id"))
 """Written once: putting a query together takes longer than SQLite takes to answer it."""
 _LOCKED = locked(_BY_ID)
+_STATUS = locked(select(PlanRow.status).where(PlanRow.id == bindparam("id")))
 
 
 def get(session: Session, plan_id: str, *, lock: bool = False) -> PlanRow:
@@ -125,11 +126,9 @@ def change(session: Session, plan_id: str, *, when: Collection[Status], **values
     return session.execute(query).rowcount > 0  # pyright: ignore[reportAttributeAccessIssue]
 
 
-def cancelled(session: Session, plan_id: str) -> bool:
-    """Whether somebody asked for it to stop."""
-    return bool(
-        session.scalar(select(PlanRow.cancel_requested).where(PlanRow.id == plan_id).limit(1))
-    )
+def being_planned(session: Session, plan_id: str) -> bool:
+    """Whether it is; nobody puts an end to it until the transaction ends."""
+    return session.scalar(_STATUS, {"id": plan_id}) == "planning"
 
 
 def count_by_status(session: Session) -> dict[str, int]:

@@ -40,7 +40,10 @@ class Planning:
         self._open_model = open_model
 
     def __call__(self, plan_id: str, /) -> None:
-        """Plan, and hand the plan on. Whatever goes wrong ends as a failed plan with its reason."""
+        """Plan, and hand the plan on. Whatever goes wrong ends as a failed plan with its reason.
+
+        A plan that is cancelled has ended already; here that is only noticed.
+        """
         row = self._take(plan_id)
         if row is None:
             return
@@ -52,8 +55,7 @@ class Planning:
                 )
             self._plan(row, recorder)
         except Cancelled:
-            recorder.flush()
-            self._end(plan_id, status="cancelled")
+            return
         except Exception as error:
             reason = _reason(error)
             recorder.report(PlanningFailed(reason=reason))
@@ -97,7 +99,7 @@ class Planning:
         scores = _plan_scores(row, situation, planned)
         with self._database.transaction() as session:
             found = plans.get(session, row.id, lock=True)
-            if found.cancel_requested:
+            if found.status != "planning":
                 raise Cancelled
             found.program = planned.text
             for name, value in plan_columns(planned.program, planned.plan).items():

@@ -10,7 +10,9 @@ FLUSH_INTERVAL = 0.1  # [s]
 
 
 class PlanningRecorder:
-    """Stores the events of one plan, and tells the planner to stop when somebody asks for it.
+    """Stores the events of one plan, and tells the planner to stop once somebody has ended it.
+
+    Nothing is stored after that: who followed the plan has seen its end.
 
     A planner that is run again after a crash tells its story from the beginning. What is stored
     already is not stored twice: the new completion is compared with the old one, and only what
@@ -42,8 +44,9 @@ class PlanningRecorder:
     def flush(self) -> bool:
         """Write down what is not yet; True where the plan was cancelled."""
         with self._database.transaction() as session:
-            events.append(session, self._plan_id, self._sequence, self._pending)
-            stop = plans.cancelled(session, self._plan_id)
+            stop = not plans.being_planned(session, self._plan_id)
+            if not stop:
+                events.append(session, self._plan_id, self._sequence, self._pending)
         self._sequence += len(self._pending)
         self._pending = []
         self._flushed_at = time.monotonic()

@@ -1,8 +1,12 @@
 import json
 import secrets
+import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
+from app.llm.backends.scripted import Answer, ScriptedModel
+from app.worker.planning import Planning
 from app.worlds import worlds
 
 PROGRAM = "def f():\n    # go\n    grab_and_putin('banana', 'bowl')\n"
@@ -170,6 +174,28 @@ def test_a_queued_plan_is_cancelled_at_once(client, request_body, plan_it):
     plan_it(plan_id)
     assert client.get(f"/plans/{plan_id}").json()["status"] == "cancelled"
     assert client.post(f"/plans/{plan_id}/cancel").status_code == 202
+
+
+def test_a_plan_is_cancelled_at_once_while_its_model_is_loaded(client, request_body, parts):
+    loading, loaded = threading.Event(), threading.Event()
+
+    def load(*names):
+        loading.set()
+        assert loaded.wait(60)
+        return ScriptedModel([Answer(text="    grab_and_putin('banana', 'bowl')\n")])
+
+    plan_id = client.post("/plans", json=request_body).json()["id"]
+    with ThreadPoolExecutor(1) as worker:
+        planning = worker.submit(Planning(parts.database, parts.handover, load), plan_id)
+        assert loading.wait(60)
+        answer = client.post(f"/plans/{plan_id}/cancel").json()
+        followed = client.get(f"/plans/{plan_id}/events").text
+        loaded.set()
+        planning.result()
+    assert answer["status"] == "cancelled"
+    assert '"status": "cancelled"' in followed
+    assert client.get(f"/plans/{plan_id}").json() == answer
+    assert client.get(f"/plans/{plan_id}/events").text == followed
 
 
 def test_a_plan_that_is_over_cannot_be_cancelled(client, executed, problem_of):

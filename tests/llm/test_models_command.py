@@ -1,11 +1,14 @@
 import hashlib
 import json
+from dataclasses import replace
 
 import pytest
 from click.testing import CliRunner
 
+from app.cli import models as commands
 from app.cli.models import command
 from app.llm import models
+from app.llm.adapters import SHIPPED, adapters_in
 
 
 @pytest.fixture
@@ -57,6 +60,21 @@ def test_fetch_leaves_alone_what_is_here(run, tiny, tmp_path, content):
     result = run("fetch", "small")
     assert result.exit_code == 0
     assert str(tmp_path / "tiny.gguf") in result.stdout
+
+
+def test_fetch_takes_the_file_that_the_settings_name_for_the_model_alone(
+    run, tiny, tmp_path, content, monkeypatch
+):
+    named = tmp_path / "named.gguf"
+    named.write_bytes(content)
+    monkeypatch.setenv("PROGPROMPT_MODEL_PATH", str(named))
+    monkeypatch.setattr(commands, "EMBEDDINGS", (replace(tiny, name="embeddings"),))
+    (tmp_path / "embeddings").write_bytes(content)
+    adapted = replace(models.SMALL, name="adapted", adapter=next(adapters_in(SHIPPED)))
+    monkeypatch.setattr(commands, "find_model", lambda name, config: adapted)
+    result = run("fetch", "adapted")
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout == f"tiny.gguf: {named}\nembeddings: {tmp_path / 'embeddings'}\n"
 
 
 def test_fetch_tells_progress_in_lines_and_why_it_failed(run, tiny, monkeypatch):

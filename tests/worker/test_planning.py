@@ -126,12 +126,14 @@ def test_a_plan_cancelled_while_the_model_writes_stops_there(
 
     def write(prompt):
         with database.transaction() as session:
-            plans.get(session, plan_id).cancel_requested = True
+            plans.get(session, plan_id).status = "cancelled"
         return Answer(text="    # on and on\n", endless=True, delay=0.002)
 
     Planning(database, handover, lambda *names: ScriptedModel(write))(plan_id)
     assert read_plan(plan_id).status == "cancelled"
     assert read_plan(plan_id).program is None
+    kinds = [event.kind for event in told(database, plan_id)]
+    assert kinds == ["planning_started", "prompt_written"]
 
 
 def test_a_mere_question_whether_to_stop_is_answered_and_not_told(database, make_plan, monkeypatch):

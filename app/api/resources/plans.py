@@ -108,15 +108,17 @@ def approve_plan(plan_id: str, parts: Using) -> Response:
 
 @router.post("/{plan_id}/cancel", status_code=202, response_model=PlanShown)
 def cancel_plan(plan_id: str, parts: Using) -> Response:
-    """Stop planning, or carrying out; what happened until then is kept."""
+    """Stop planning, or carrying out; what happened until then is kept.
+
+    Whoever plans cannot always be heard at once, as while a model is loaded: the plan does not wait.
+    """
     with parts.database.transaction() as session:
         row = plans.get(session, plan_id, lock=True)
-        if row.status in ("queued", "awaiting_approval"):
+        if row.status in ("queued", "planning", "awaiting_approval"):
             row.status, row.finished_at = "cancelled", now()
-        elif row.status in ("planning", "executing"):
-            executions.request_cancel(session, plan_id)
-        elif row.status != "cancelled":
+        elif row.status not in ("executing", "cancelled"):
             raise Conflict(f"the plan is {row.status} already")
+        executions.request_cancel(session, plan_id)
         row.cancel_requested = True
         session.flush()
         return written(_shown(session, row), 202)
