@@ -1,11 +1,15 @@
 """Sentence → sketch → program: the model reads the sentence, knowledge finds what it means here."""
 
+from dataclasses import replace
+
 from app.domain.errors import ModelError, TaskDeclined
+from app.domain.instruction import Instruction
 from app.domain.llm import LanguageModel
 from app.domain.planner import Draft, Report, Task
 from app.llm.meaning import likeness
 from app.planners import planners
 from app.programs.sketches.allotting import allotted
+from app.programs.sketches.answering import clear_history, heard
 from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
 from app.programs.sketches.pieces import named_places, pieces
 from app.programs.sketches.pointing import pointed
@@ -38,6 +42,7 @@ class Situated:
             TaskDeclined: something is absent, ambiguous, impossible or hazardous.
             Cancelled: ``report`` asked for it.
         """
+        task = _understood(task)
         sentence = plain_english(task.instruction.text, task.scene.names)
         selection = Selection(read_things(task.scene.objects), task.facts, sentence)
         sentence = allotted(pointed(sentence, selection), selection)
@@ -56,6 +61,14 @@ class Situated:
                 raise
             return again
         return _in_pieces(reader, sentence, task, draft) or draft
+
+
+def _understood(task: Task) -> Task:
+    """The task with what its sentence says after the turns before, and those that were done."""
+    things = read_things(task.scene.objects)
+    sentence = heard(task.instruction.text, task.history, things)
+    history = clear_history(task.history, things)
+    return replace(task, instruction=Instruction(sentence), history=history)
 
 
 def _in_pieces(reader: Reader, sentence: str, task: Task, draft: Draft | None) -> Draft | None:

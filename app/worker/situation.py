@@ -68,9 +68,13 @@ def _facts(
 
 
 def _turn(row: PlanRow) -> Turn:
-    question = (row.declined or {}).get("question")
-    outcome = question or row.error or ""
-    return Turn(instruction=row.instruction, program=row.program or "", outcome=outcome)
+    declined = row.declined or {}
+    return Turn(
+        instruction=row.instruction,
+        program=row.program or "",
+        outcome=declined.get("question") or row.error or "",
+        choices=tuple(declined.get("choices") or ()),
+    )
 
 
 def _failed(row: PlanRow) -> Turn | None:

@@ -148,3 +148,16 @@ def test_undo_does_not_ask_the_model(task, canned):
     model = canned("nothing")
     assert "grab_and_putin('pear', 'bowl')" in _plan(asked, model).program
     assert model.requests == []
+
+
+def test_what_was_declined_is_neither_shown_nor_done_by_and_by(task, canned):
+    asked = Turn(
+        instruction="put the pear in it",
+        program="",
+        choices=("put the pear in the bowl", "put the pear in the box"),
+    )
+    answered = _task(task, "the box", "pear", "bowl", "box", history=(asked,))
+    model = canned("    grab_and_putin('pear', 'box')\n")
+    draft = _plan(answered, model)
+    assert draft.program.startswith("def put_the_pear_in_the_box():")
+    assert "put the pear in it" not in model.requests[0].prompt
