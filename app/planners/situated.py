@@ -3,13 +3,12 @@
 from dataclasses import replace
 
 from app.domain.errors import ModelError, TaskDeclined
-from app.domain.instruction import Instruction
 from app.domain.llm import LanguageModel
 from app.domain.planner import Draft, Report, Task
 from app.llm.meaning import likeness
 from app.planners import planners
 from app.programs.sketches.allotting import allotted
-from app.programs.sketches.answering import clear_history, heard
+from app.programs.sketches.conversation import understood
 from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
 from app.programs.sketches.pieces import named_places, pieces
 from app.programs.sketches.pointing import pointed
@@ -18,6 +17,7 @@ from app.programs.sketches.rereading import without_asides
 from app.programs.sketches.retelling import places_used
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.things import read_things
+from app.programs.sketches.verbs import asked_verbs
 from app.programs.sketches.wording import plain_english
 
 
@@ -42,12 +42,18 @@ class Situated:
             TaskDeclined: something is absent, ambiguous, impossible or hazardous.
             Cancelled: ``report`` asked for it.
         """
-        task = _understood(task)
+        said = understood(task)
+        return said.rightly(self._written(said.task, model, report))
+
+    def _written(self, task: Task, model: LanguageModel, report: Report) -> Draft:
+        """The draft of a sentence that the turns before have made clear."""
         sentence = plain_english(task.instruction.text, task.scene.names)
         selection = Selection(read_things(task.scene.objects), task.facts, sentence)
         sentence = allotted(pointed(sentence, selection), selection)
-        reader = Reader(task, model, report, likeness)
-        if task.history and (said := asks_to_undo(task.instruction.text)):
+        verbs = asked_verbs(task.actions, sentence)
+        reader = Reader(replace(task, actions=verbs), model, report, likeness)
+        said = asks_to_undo(task.instruction.text)
+        if said and (task.history or not said["what"]):
             return reader.draft(reader.transcript(sentence), undo(task, said["what"]), 1.0)
         try:
             draft = reader.read(sentence)
@@ -61,14 +67,6 @@ class Situated:
                 raise
             return again
         return _in_pieces(reader, sentence, task, draft) or draft
-
-
-def _understood(task: Task) -> Task:
-    """The task with what its sentence says after the turns before, and those that were done."""
-    things = read_things(task.scene.objects)
-    sentence = heard(task.instruction.text, task.history, things)
-    history = clear_history(task.history, things)
-    return replace(task, instruction=Instruction(sentence), history=history)
 
 
 def _in_pieces(reader: Reader, sentence: str, task: Task, draft: Draft | None) -> Draft | None:

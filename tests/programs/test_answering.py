@@ -3,7 +3,7 @@ import pytest
 from app.domain.errors import TaskDeclined
 from app.domain.planner import Turn
 from app.domain.scene import SceneObject
-from app.programs.sketches.answering import clear_history, heard
+from app.programs.sketches.answering import clear_history, done, heard
 from app.programs.sketches.things import read_things
 
 PLACES = {
@@ -55,8 +55,8 @@ def test_what_is_no_answer_stands_for_itself(sentence):
 
 
 def test_without_a_question_nothing_is_an_answer():
-    done = Turn(instruction=RED, program=PUT)
-    assert heard("blue", [ASKED, done], THINGS) == "blue"
+    put = Turn(instruction=RED, program=PUT)
+    assert heard("blue", [ASKED, put], THINGS) == "blue"
 
 
 def test_an_answer_that_leaves_it_open_is_asked_again():
@@ -67,4 +67,6 @@ def test_an_answer_that_leaves_it_open_is_asked_again():
 
 def test_only_what_was_planned_was_done_and_says_what_it_answered():
     answer = Turn(instruction="red", program=PUT)
-    assert clear_history([ASKED, answer, ASKED], THINGS) == (Turn(instruction=RED, program=PUT),)
+    assert done(clear_history([ASKED, answer, ASKED], THINGS)) == (
+        Turn(instruction=RED, program=PUT),
+    )

@@ -8,7 +8,9 @@ from app.domain.errors import TaskDeclined
 from app.domain.planner import Turn
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.correcting import correction
 from app.programs.sketches.dialogue import calls_of
+from app.programs.sketches.others import other_named
 from app.programs.sketches.rereading import ORDERING
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sketch import Phrase
@@ -32,46 +34,58 @@ MOST_WORDS = 4
 
 
 def heard(sentence: str, history: Sequence[Turn], things: Sequence[Thing]) -> str:
-    """What the sentence says: where it answers the question of the turn before, the clear choice.
+    """What the sentence says after the turns before, whose own sentences are clear.
+
+    An answer to their last question is the choice that it makes, a correction is the sentence
+    before put right, and what is said of "the other one" is said by name.
 
     Raises:
-        TaskDeclined: it answers, but several of the choices fit; the same question again.
+        TaskDeclined: it answers, but several of the choices fit: the same question again.
     """
-    choices = history[-1].choices if history else ()
-    if not choices or sentence in choices:
+    if not history:
         return sentence
+    if chosen := _chosen(sentence, history[-1], things):
+        return chosen
+    return correction(sentence, history[-1].instruction, things) or other_named(
+        sentence, history, things
+    )
+
+
+def clear_history(history: Sequence[Turn], things: Sequence[Thing]) -> tuple[Turn, ...]:
+    """The turns with what their sentences say, each after those before it."""
+    clear: list[Turn] = []
+    for turn in history:
+        try:
+            clear.append(replace(turn, instruction=heard(turn.instruction, clear, things)))
+        except TaskDeclined:
+            clear.append(turn)
+    return tuple(clear)
+
+
+def done(history: Sequence[Turn]) -> tuple[Turn, ...]:
+    """The turns that came to a plan.
+
+    What was declined was not done, and what it asked for is not to be done by and by.
+    """
+    return tuple(turn for turn in history if calls_of(turn.program))
+
+
+def _chosen(sentence: str, asked: Turn, things: Sequence[Thing]) -> str | None:
+    """The choice of the question that the sentence answers with; None where it is no answer."""
+    choices = asked.choices
+    if not choices or sentence in choices:
+        return sentence if choices else None
     if _ALL_THE_SAME.search(sentence) and len(words(sentence)) <= 2 * MOST_WORDS:
         return choices[0]
     said = [each for each in words(sentence) if each not in _FILLER]
-    if not said:
-        said = [each for each in words(sentence) if each in _PLACES]
     if not 0 < len(said) <= MOST_WORDS or set(said) & ORDERING:
-        return sentence
+        return None
     if set(said) & _ANY:
         return choices[0]
     place = _PLACES.get(said[0]) if len(said) == 1 or said[1:] == ["choice"] else None
     if place is not None and place < len(choices):
         return choices[place]
-    return _named(sentence, " ".join(said), history[-1], things) or sentence
-
-
-def clear_history(history: Sequence[Turn], things: Sequence[Thing]) -> tuple[Turn, ...]:
-    """The turns that came to a plan, each with the sentence that it was the answer to.
-
-    What was declined was not done, and what it asked for is not to be done by and by.
-    """
-    kept: list[Turn] = []
-    for place, turn in enumerate(history):
-        if calls_of(turn.program):
-            kept.append(replace(turn, instruction=_heard(turn, history[:place], things)))
-    return tuple(kept)
-
-
-def _heard(turn: Turn, before: Sequence[Turn], things: Sequence[Thing]) -> str:
-    try:
-        return heard(turn.instruction, before, things)
-    except TaskDeclined:
-        return turn.instruction
+    return _named(sentence, " ".join(said), asked, things)
 
 
 def _named(sentence: str, said: str, asked: Turn, things: Sequence[Thing]) -> str | None:

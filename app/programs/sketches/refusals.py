@@ -11,7 +11,7 @@ from app.programs.sketches.phrase import spoken_of
 from app.programs.sketches.qualities import far_larger, is_container
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sketch import Phrase, SketchCall
-from app.programs.sketches.verbs import LITERAL, place_of
+from app.programs.sketches.verbs import HANDOVER, LITERAL, place_of
 
 _BESIDE_IT = re.compile(
     r"\b(?:beside|alongside|next to|near|close to|by) (?:(?:you|me|us)\b|"
@@ -19,8 +19,6 @@ _BESIDE_IT = re.compile(
     re.I,
 )
 BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
-HANDOVER = "handover"
-"""The verb that brings a thing to a person, whether or not one is named."""
 
 
 def refuse_harm(call: ActionCall, signature: ActionSignature, selection: Selection) -> None:
