@@ -13,6 +13,15 @@ SPOKEN = word_list("spoken")
 """Names of parameters that take words, not objects."""
 HANDOVER = "handover"
 """The verb that brings a thing to a person, whether or not one is named."""
+_TAKES = r"(?:me|us|him|her)"
+HANDING = re.compile(
+    r"^\s*(?:(?:please|now|then|can you|could you|would you|will you|robot|hey)[, ]+)*"
+    rf"(?:(?:hand|pass|give|bring|fetch|get|reach|put)(?: over)? {_TAKES}(?: over)? (?!(?:in|on|to)\b)[\w', -]+|"
+    r"hand over [\w', -]+|hand [\w', -]+? over|"
+    rf"(?:hand|pass|give|bring)(?: over)? [\w', -]+?(?: over)? to {_TAKES})(?:[, ]+(?:please|now|thanks))*[\s.!?]*$",
+    re.I,
+)
+"""A sentence that asks for nothing but to be handed something."""
 LITERAL = ("push", "pour", "open", "close", "home", "wipe")
 """Verbs that nobody means who does not say so."""
 _ENGLISH = frozenset(("the", "put", "and", "on", "to", "of", "into", "with", "all", "please"))
@@ -60,6 +69,8 @@ def asked_verbs(actions: Sequence[ActionSignature], sentence: str) -> tuple[Acti
 
     A place in metres is given in numbers.
     """
+    if HANDING.match(sentence):
+        return tuple(each for each in actions if each.name == HANDOVER) or tuple(actions)
     said = set(re.findall(r"[\w']+", sentence.lower()))
     if not said & (_ENGLISH | _ORDERING):
         return tuple(actions)
