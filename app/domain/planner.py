@@ -65,6 +65,8 @@ class Task:
     actions: tuple[ActionSignature, ...]
     instruction: Instruction
     options: PlannerOptions
+    others: tuple[ActionSignature, ...] = ()
+    """What the world could do besides, were it on offer."""
     facts: frozenset[Relation] = frozenset()
     """What is true where the plan begins, of the relations worth telling."""
     history: tuple[Turn, ...] = ()

@@ -39,9 +39,11 @@ def situation_of(session: Session, row: PlanRow) -> Situation:
     scene = read_scene(row.scene)
     before = dialogue.beginning(session, row)
     state = state_after(session, before) if before else None
+    actions = offered(worlds[scene.world], scene)
     task = Task(
         scene=scene,
-        actions=offered(worlds[scene.world], scene),
+        actions=actions,
+        others=tuple(each for each in worlds[scene.world].actions if each not in actions),
         instruction=Instruction(row.instruction),
         options=_options(row),
         facts=_facts(session, before, scene, row.seed, state),
