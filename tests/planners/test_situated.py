@@ -233,3 +233,32 @@ def test_places_in_metres_and_handing_over_are_not_shown_unless_they_are_said(ta
     _plan(asked, model)
     assert "place_at" not in model.requests[0].prompt
     assert "handover" not in model.requests[0].prompt
+
+
+def test_who_asks_to_be_handed_something_is_handed_it(task, canned):
+    asked = _dialogue(task, "can you pass me the fig please", at=(PLACE_AT, HAND))
+    model = canned("    handover('fig')\n")
+    assert "    handover('fig')\n" in _plan(asked, model).program
+    assert "import handover(obj)\n" in model.requests[0].prompt
+    assert "decline" not in model.requests[0].grammar.partition("declined")[0]
+
+
+def test_what_is_put_in_and_taken_out_again_ends_where_it_was(task, canned):
+    said = "put the fig in the box and then take it out again"
+    model = canned("    grab_and_putin('fig', 'box')\n")
+    program = _plan(_dialogue(task, said, at=(PLACE_AT,)), model).program
+    assert program.index("grab_and_putin('fig', 'box')") < program.index(
+        "place_at('fig', 0.5, 0.1)"
+    )
+
+
+def test_it_is_not_left_there_where_nothing_can_take_it_out(task, canned):
+    asked = _dialogue(task, "put the fig in the box and then take it out again")
+    with pytest.raises(TaskDeclined, match="place_at could"):
+        _plan(replace(asked, others=(PLACE_AT,)), canned("    grab_and_putin('fig', 'box')\n"))
+
+
+def test_what_nothing_on_offer_is_asked_for_is_declined(task, canned):
+    asked = replace(_dialogue(task, "put the fig in the box"), actions=(HAND,))
+    with pytest.raises(TaskDeclined, match="handover"):
+        _plan(asked, canned("    handover('fig')\n"))

@@ -1,5 +1,6 @@
 """A task in the middle of a dialogue → the task as it would be given by itself."""
 
+import re
 from dataclasses import dataclass, replace
 
 from app.domain.instruction import Instruction
@@ -9,8 +10,16 @@ from app.programs.parser import parse_program
 from app.programs.printer import print_program
 from app.programs.sketches.answering import clear_history, done, heard
 from app.programs.sketches.correcting import corrected, correction
-from app.programs.sketches.dialogue import THEN, calls_of, taken_back
+from app.programs.sketches.dialogue import THEN, calls_of, taken_back, undo
 from app.programs.sketches.things import read_things
+
+_AGAIN = re.compile(
+    r"(?<=\w)(?:[,;.]\s*|\s+)(?:and then|and|then)\s+(?:please\s+)?(?:take|get|remove|bring|put|pull|move)\s+"
+    r"(?:it|them|that)\s+(?:right\s+)?(?:back(?:\s+(?:out|off))?|out|off)"
+    r"(?:\s+(?:again|of (?:it|there)|where (?:it|they) (?:was|were)))*[\s.!]*$",
+    re.I,
+)
+"""... and then take it out again."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,15 +30,23 @@ class Understood:
     wrong: Turn | None = None
     """The turn that the sentence puts right: what it moved is brought back first."""
 
+    again: bool = False
+    """What it moves is taken back at the end."""
+
     def rightly(self, draft: Draft) -> Draft:
-        """The draft, beginning with what brings back the wrong moves.
+        """The draft, beginning with what brings back wrong moves, ending with what takes back its own.
 
         Raises:
             TaskDeclined: no verb on offer can bring them back.
         """
+        program = parse_program(draft.program)
+        if self.again:
+            here = Turn(instruction=self.task.instruction.text, program=draft.program)
+            back = undo(replace(self.task, history=(*self.task.history, here)))
+            program = replace(program, body=(*program.body, *back))
+            draft = replace(draft, program=print_program(program))
         if self.wrong is None:
             return draft
-        program = parse_program(draft.program)
         moved = {
             str(each.arguments[0])
             for each in program.body
@@ -57,5 +74,8 @@ def understood(task: Task) -> Understood:
     if last and calls_of(last.program) and sentence != task.instruction.text:
         wrong = last if correction(task.instruction.text, last.instruction, things) else None
     kept = done(history[:-1] if wrong else history)
-    instruction = Instruction(corrected(sentence, things))
-    return Understood(replace(task, instruction=instruction, history=kept), wrong)
+    sentence = corrected(sentence, things)
+    again = _AGAIN.search(sentence)
+    instruction = Instruction(sentence[: again.start()] if again else sentence)
+    task = replace(task, instruction=instruction, history=kept)
+    return Understood(task, wrong, again is not None)
