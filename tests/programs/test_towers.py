@@ -63,10 +63,12 @@ def test_where_the_words_do_not_tell_it_plainly_nothing_is_said(sentence):
     assert told(sentence, *CUBES) is None
 
 
-def test_a_tower_of_colours_is_of_blocks_not_of_bowls():
+@pytest.mark.parametrize(
+    "said", ["build a tower with green at the bottom and red on top", "stack red on green"]
+)
+def test_a_tower_of_colours_is_of_blocks_not_of_bowls(said):
     things = read_things(
         SceneObject(name=name, container="bowl" in name)
         for name in ("red block", "green block", "red bowl", "green bowl")
     )
-    said = "build a tower with green at the bottom and red on top"
     assert tower(said, things) == [("red block", "green block")]

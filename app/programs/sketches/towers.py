@@ -132,7 +132,9 @@ def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
             or _THEN.search(between)
         ):
             pairs.append((other.name, one.name))
-    if len(pairs) < FEWEST - 1 or len({thing for thing, _ in pairs}) < len(pairs):
+    bare = all(" " not in text[each.start : each.end] for each in found)
+    least = 1 if bare and _PILING.search(text) else FEWEST - 1  # "Stack red on green."
+    if len(pairs) < least or len({thing for thing, _ in pairs}) < len(pairs):
         return None
     if {name for pair in pairs for name in pair} != {each.name for each in found}:
         return None
