@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import Callable
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any, TypeVar
 
@@ -19,7 +20,7 @@ from app.domain.plan import Plan
 from app.domain.program import Program
 from app.domain.scene import Scene
 from app.domain.trace import ProgramGrounded
-from app.domain.world import WorldDescription
+from app.domain.world import Reversible, WorldDescription
 from app.llm.models import find_model
 from app.planners import planners
 from app.programs.conditions import parse_goal
@@ -171,7 +172,15 @@ def _scene_of_parent(parts: Parts, parent: str) -> Scene:
     if row.status in plans.UNFINISHED:
         message = f"the plan is {row.status}; a plan can follow once it has ended"
         raise Refused(Fault(field="parent", message=message))
-    return read_scene(row.scene)
+    return following(read_scene(row.scene))
+
+
+def following(scene: Scene) -> Scene:
+    """The scene for a plan that follows another: what was done can be taken back in it."""
+    world = worlds[scene.world]
+    if scene.actions is not None or not isinstance(world, Reversible):
+        return scene
+    return replace(scene, actions=(*world.default_actions, *world.reversing_actions))
 
 
 def _state_after(session: Session, parent: str) -> bytes | None:

@@ -52,6 +52,8 @@ class Turn:
     program: str
     outcome: str = ""
     """What came of it, in words: the failed steps and the unmet assertions; empty where all went well."""
+    choices: tuple[str, ...] = ()
+    """Where the turn ended in a question: the instructions that would have been clear."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,6 +65,8 @@ class Task:
     actions: tuple[ActionSignature, ...]
     instruction: Instruction
     options: PlannerOptions
+    others: tuple[ActionSignature, ...] = ()
+    """What the world could do besides, were it on offer."""
     facts: frozenset[Relation] = frozenset()
     """What is true where the plan begins, of the relations worth telling."""
     history: tuple[Turn, ...] = ()

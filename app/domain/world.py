@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from app.domain.action import ActionSignature
 from app.domain.condition import Relation
@@ -138,3 +138,12 @@ class WorldDescription(Protocol):
         ``state`` is what a world of ``open`` saved: the perfect executor begins there.
         """
         ...
+
+
+@runtime_checkable
+class Reversible(Protocol):
+    """A kind of world where taking back needs actions that nobody asks for otherwise."""
+
+    reversing_actions: tuple[str, ...]
+    """Names of actions on offer besides the default ones to a plan that follows another, where the
+    scene names none."""

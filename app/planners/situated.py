@@ -1,19 +1,28 @@
 """Sentence → sketch → program: the model reads the sentence, knowledge finds what it means here."""
 
+from dataclasses import replace
+
 from app.domain.errors import ModelError, TaskDeclined
 from app.domain.llm import LanguageModel
 from app.domain.planner import Draft, Report, Task
 from app.llm.meaning import likeness
 from app.planners import planners
 from app.programs.sketches.allotting import allotted
+from app.programs.sketches.conversation import understood
 from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
+from app.programs.sketches.greetings import answer_greeting
+from app.programs.sketches.leaving_out import completed
+from app.programs.sketches.offering import with_offer
 from app.programs.sketches.pieces import named_places, pieces
 from app.programs.sketches.pointing import pointed
 from app.programs.sketches.reader import Reader
+from app.programs.sketches.refusals import refuse_place_beside
 from app.programs.sketches.rereading import without_asides
 from app.programs.sketches.retelling import places_used
 from app.programs.sketches.selection import Selection
+from app.programs.sketches.swapping import swap
 from app.programs.sketches.things import read_things
+from app.programs.sketches.verbs import asked_verbs
 from app.programs.sketches.wording import plain_english
 
 
@@ -38,12 +47,32 @@ class Situated:
             TaskDeclined: something is absent, ambiguous, impossible or hazardous.
             Cancelled: ``report`` asked for it.
         """
+        answer_greeting(task.instruction.text, read_things(task.scene.objects))
+        said = understood(task)
+        try:
+            return said.rightly(self._written(said.task, model, report))
+        except TaskDeclined as declined:
+            raise with_offer(declined, task.instruction.text, task.others) from declined
+
+    def _written(self, task: Task, model: LanguageModel, report: Report) -> Draft:
+        """The draft of a sentence that the turns before have made clear."""
         sentence = plain_english(task.instruction.text, task.scene.names)
         selection = Selection(read_things(task.scene.objects), task.facts, sentence)
-        sentence = allotted(pointed(sentence, selection), selection)
         reader = Reader(task, model, report, likeness)
-        if task.history and (said := asks_to_undo(task.instruction.text)):
+        said = asks_to_undo(task.instruction.text)
+        if said and (task.history or not said["what"]):
             return reader.draft(reader.transcript(sentence), undo(task, said["what"]), 1.0)
+        if swapped := swap(task, sentence, selection):
+            return reader.draft(reader.transcript(sentence), swapped, 1.0)
+        refuse_place_beside(sentence, task.actions)
+        sentence = completed(
+            allotted(pointed(sentence, selection), selection), selection, task.actions
+        )
+        verbs = asked_verbs(task.actions, sentence)
+        if not verbs:
+            names = ", ".join(action.name for action in task.actions)
+            raise TaskDeclined(f"nothing asks for what is on offer ({names})", kind="impossible")
+        reader = Reader(replace(task, actions=verbs), model, report, likeness)
         try:
             draft = reader.read(sentence)
         except TaskDeclined as declined:

@@ -39,9 +39,11 @@ def situation_of(session: Session, row: PlanRow) -> Situation:
     scene = read_scene(row.scene)
     before = dialogue.beginning(session, row)
     state = state_after(session, before) if before else None
+    actions = offered(worlds[scene.world], scene)
     task = Task(
         scene=scene,
-        actions=offered(worlds[scene.world], scene),
+        actions=actions,
+        others=tuple(each for each in worlds[scene.world].actions if each not in actions),
         instruction=Instruction(row.instruction),
         options=_options(row),
         facts=_facts(session, before, scene, row.seed, state),
@@ -68,9 +70,13 @@ def _facts(
 
 
 def _turn(row: PlanRow) -> Turn:
-    question = (row.declined or {}).get("question")
-    outcome = question or row.error or ""
-    return Turn(instruction=row.instruction, program=row.program or "", outcome=outcome)
+    declined = row.declined or {}
+    return Turn(
+        instruction=row.instruction,
+        program=row.program or "",
+        outcome=declined.get("question") or row.error or "",
+        choices=tuple(declined.get("choices") or ()),
+    )
 
 
 def _failed(row: PlanRow) -> Turn | None:

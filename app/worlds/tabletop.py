@@ -45,6 +45,7 @@ class Tabletop:
 
     actions = tuple(action.signature for action in primitives.values())
     default_actions: tuple[str, ...] = ("grab_and_putin",)
+    reversing_actions: tuple[str, ...] = ("place_at",)
 
     robots = tuple(
         RobotKind(name=name, title=arm.title, joints=arm.joints, default=name == DEFAULT_ARM)

@@ -4,7 +4,12 @@ from app.domain.action import ActionSignature, Parameter
 from app.domain.errors import TaskDeclined
 from app.domain.program import ActionCall
 from app.domain.scene import SceneObject
-from app.programs.sketches.refusals import HANDOVER, refuse_harm
+from app.programs.sketches.refusals import (
+    HANDOVER,
+    refuse_harm,
+    refuse_place_beside,
+    refuse_ungrounded,
+)
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.things import read_things
 
@@ -25,3 +30,38 @@ def test_a_knife_is_not_handed_to_a_person():
 
 def test_an_apple_is_handed_over():
     refuse_harm(ActionCall(action=HANDOVER, arguments=("apple",)), HAND, selection("apple"))
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    ["put the fork left of the plate", "move the green one next to the blue bowl"],
+)
+def test_what_goes_beside_a_thing_is_not_put_into_it(grab_and_putin, sentence):
+    with pytest.raises(TaskDeclined) as declined:
+        refuse_place_beside(sentence, [grab_and_putin])
+    assert declined.value.kind == "impossible"
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    ["put the cup next to the can in the box", "put the box on the left in the bowl"],
+)
+def test_what_tells_which_thing_is_meant_passes(grab_and_putin, sentence):
+    refuse_place_beside(sentence, [grab_and_putin])
+
+
+def test_a_verb_that_puts_things_there_passes():
+    beside = ActionSignature(name="place_left_of", parameters=HAND.parameters * 2, meaning="")
+    refuse_place_beside("put the fork left of the plate", [beside])
+
+
+def test_nothing_goes_where_nothing_of_the_scene_is(grab_and_putin):
+    call = ActionCall(action="grab_and_putin", arguments=("fork", "away"))
+    with pytest.raises(TaskDeclined) as declined:
+        refuse_ungrounded(call, grab_and_putin, selection("fork", "box"))
+    assert declined.value.choices == ("put the fork in the box",)
+
+
+def test_a_thing_is_handed_over_and_nobody_else(grab_and_putin):
+    with pytest.raises(TaskDeclined):
+        refuse_ungrounded(ActionCall(action=HANDOVER, arguments=("me",)), HAND, selection("fork"))

@@ -14,7 +14,7 @@ from app.programs.sketches.members import Members
 from app.programs.sketches.named import goals, named
 from app.programs.sketches.order import in_order, told_apart
 from app.programs.sketches.pairs import for_each, pairs
-from app.programs.sketches.refusals import refuse_beside, refuse_harm
+from app.programs.sketches.refusals import refuse_beside, refuse_harm, refuse_ungrounded
 from app.programs.sketches.retelling import retold
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sets import counted, stays
@@ -83,6 +83,7 @@ class Composer:
             body = still
         for each in body:
             if isinstance(each, ActionCall):
+                refuse_ungrounded(each, self._signatures[each.action], self._selection)
                 refuse_harm(each, self._signatures[each.action], self._selection)
         return Composition(tuple(body), round(self._course.sureness, 3))
 

@@ -74,11 +74,11 @@ def unsaid(
         return set()
     said = {stem(each) for each in found}
     called = {call.action for call in calls}
-    return {a.name for a in actions if a.name not in called and _said(a.name, said)}
+    return {a.name for a in actions if a.name not in called and said_in(a.name, said)}
 
 
-def _said(action: str, said: set[str]) -> bool:
-    """Whether all words of its name but the smallest stand in the sentence."""
+def said_in(action: str, said: set[str]) -> bool:
+    """Whether all words of its name but the smallest stand among these stems of a sentence."""
     parts = [stem(each) for each in words(action) if len(each) > 2 and each not in _SMALL]
     return not set(parts) <= _PUTTING and all(part in said for part in parts)
 

@@ -17,7 +17,7 @@ from app.programs.sketches.parser import parse_sketch
 from app.programs.sketches.prompt import STOP, write_sketch_prompt
 from app.programs.sketches.resolver import resolve
 from app.programs.sketches.sketch import SketchCall
-from app.programs.sketches.verbs import spoken_verbs
+from app.programs.sketches.verbs import HANDING, HANDOVER, spoken_verbs
 from app.programs.transcript import Transcript, sketch_request
 
 MOST_ORDERED = 3
@@ -77,7 +77,8 @@ class Reader:
     def _sketched(self, transcript: Transcript, part: str) -> str:
         """The model's sketch; a verb that is said and that the sketch lacks is asked for again."""
         verbs = spoken_verbs(self._task.actions, part)
-        grammar = sketch_grammar(verbs, part, self._earlier())
+        handing = bool(HANDING.match(part)) and any(verb.name == HANDOVER for verb in verbs)
+        grammar = sketch_grammar(verbs, part, self._earlier(), declines=not handing)
         request = sketch_request(self._task.options, self._model, self._prompt(part), STOP, grammar)
         text = transcript.ask(request).text
         if request.grammar is None or not (lacking := _unsaid(text, verbs, part)):

@@ -1,26 +1,31 @@
 """What a sketch asks for and is not done: what can hurt somebody, what does not fit, what no verb does."""
 
 import re
+from collections.abc import Sequence
 
 from app.domain.action import ActionSignature
 from app.domain.errors import TaskDeclined
 from app.domain.program import ActionCall
 from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
+from app.programs.sketches.order import TOOLS
 from app.programs.sketches.phrase import spoken_of
 from app.programs.sketches.qualities import far_larger, is_container
+from app.programs.sketches.questions import MOST_CHOICES
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sketch import Phrase, SketchCall
-from app.programs.sketches.verbs import LITERAL, place_of
+from app.programs.sketches.verbs import HANDOVER, LITERAL, SPOKEN, place_of
 
 _BESIDE_IT = re.compile(
     r"\b(?:beside|alongside|next to|near|close to|by) (?:(?:you|me|us)\b|"
     r"(?:it|them|that|this|those|these)\b[^,.;]* (?:in|on|into|onto|inside)\b)",
     re.I,
 )
+_WITHIN = r"\b(?:in(?! front)|on(?! the (?:left|right))|into|onto|inside|between)\b"
+_WITHIN_VERB = frozenset(("putin", "in", "on", "stack", "pour"))
+_UNPLACED = frozenset((*LITERAL, HANDOVER, "pick", "upright", "place_at"))
+"""Verbs that say nothing of a place by another thing."""
 BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
-HANDOVER = "handover"
-"""The verb that brings a thing to a person, whether or not one is named."""
 
 
 def refuse_harm(call: ActionCall, signature: ActionSignature, selection: Selection) -> None:
@@ -47,6 +52,37 @@ def refuse_harm(call: ActionCall, signature: ActionSignature, selection: Selecti
             f"{thing} in, on or at {target}: {rule.reason}",
             kind="hazardous",
             question=f"Where else should the {thing} go?",
+        )
+
+
+def refuse_ungrounded(call: ActionCall, signature: ActionSignature, selection: Selection) -> None:
+    """Let a call pass whose things are all there.
+
+    Raises:
+        TaskDeclined: it puts something "away", or where nothing of the scene is.
+    """
+    there = {thing.name for thing in selection.things}
+    for i, parameter in enumerate(signature.parameters):
+        value = call.arguments[i]
+        needs = i == 0 or parameter.role in ("container", "support") or parameter.name in TOOLS
+        if parameter.role == "number" and not isinstance(value, float | int):
+            raise TaskDeclined(
+                f"no number tells the {parameter.name} of {call.action}", kind="impossible"
+            )
+        literal = parameter.name in SPOKEN or parameter.role in ("number", "word")
+        if literal or not needs or value in there:
+            continue
+        thing = str(call.arguments[0])
+        places = [t.name for t in selection.things if is_container(t) and t.name != thing]
+        raise TaskDeclined(
+            f"nothing here is called {str(value)!r}",
+            kind="ambiguous" if i and places else "absent",
+            question=f"Where should the {thing} go?"
+            if i
+            else f"What do you mean by {str(value)!r}?",
+            choices=tuple(
+                f"put the {thing} in the {place}" for place in places[:MOST_CHOICES] if i
+            ),
         )
 
 
@@ -79,6 +115,36 @@ def refuse_beside(call: SketchCall, sentence: str) -> None:
                     f"{call.action} puts things in or on {other}, not {key.replace('_', ' ')} it",
                     kind="impossible",
                 )
+
+
+_PUT_BESIDE = re.compile(
+    r"^\s*(?:(?:please|now|then|can you|could you)[, ]+)*(?:put|move|place|set|bring|lay|stand) "
+    rf"(?:(?!{_WITHIN}).)+? (?P<beside>(?:(?:to|on|at) )?(?:the )?(?P<side>left|right)(?:[- ]hand)?(?: side)? of|"
+    rf"next to|beside|alongside|close to|near|(?P<behind>behind)|(?P<front>in front of)) (?:(?!{_WITHIN}).)+$",
+    re.I,
+)
+
+
+def refuse_place_beside(sentence: str, actions: Sequence[ActionSignature]) -> None:
+    """Let a sentence pass that verbs on offer can do, where all it asks for is a place beside a thing.
+
+    Raises:
+        TaskDeclined: all that is on offer puts things in or on others.
+    """
+    match = _PUT_BESIDE.match(sentence)
+    if match is None or _BESIDE_IT.search(sentence):
+        return
+    told = [f"{side}_of" for side in ("left", "right") if side == (match["side"] or "").lower()]
+    told += [key for key, said in (("behind", "behind"), ("front", "front")) if match[said]]
+    wanted = told or [*BESIDE, "next", "beside"]
+    names = [action.name for action in actions]
+    if any(key in name for key in wanted for name in names):
+        return
+    if all(_WITHIN_VERB & set(words(name)) or name in _UNPLACED for name in names):
+        raise TaskDeclined(
+            f"the actions on offer ({', '.join(names)}) put nothing {match['beside']} another thing",
+            kind="impossible",
+        )
 
 
 def into_itself(text: str) -> TaskDeclined:

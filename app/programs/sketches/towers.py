@@ -9,12 +9,15 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from app.programs.knowledge.classes import normal
+from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
 
 Pair = tuple[str, str]
 """A thing and what it stands on, by their names."""
 FEWEST = 3
-"""Things of a tower: the order of two is told by one word, which a model reads well."""
+"""Things of a tower; of two, only what is at the bottom and what on top is told here: one word alone
+tells it as well, which a model reads well."""
 _PILING = re.compile(
     r"\b(?:stack|pile|piled|tower|heap|build|burger|sandwich|top|bottom|start from|start with)\b",
     re.I,
@@ -75,9 +78,21 @@ class Mention:
 def tower(sentence: str, things: Sequence[Thing]) -> list[Pair] | None:
     """What is put on what, the lowest first; None where no tower is told, or not plainly."""
     text = " ".join(sentence.lower().split())
+    things = _stackable(things, text)
     found = [m for m in mentions(sentence, things) if not _NOT_OF_IT.match(text[m.end :])]
     told = _by_relation(sentence, found)
     return told or (_by_place(sentence, found, things) if _PILING.search(sentence) else None)
+
+
+def _stackable(things: Sequence[Thing], text: str) -> list[Thing]:
+    """Without containers that the sentence has no word for: towers of "red" and "green" are of blocks."""
+    said = set(re.findall(r"\w+", text))
+    kept = [
+        t
+        for t in things
+        if not is_container(t) or (t.core and normal(t.core[-1]) in map(normal, said))
+    ]
+    return kept if _PILING.search(text) else list(things)
 
 
 def mentions(sentence: str, things: Sequence[Thing]) -> list[Mention]:
@@ -117,7 +132,9 @@ def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
             or _THEN.search(between)
         ):
             pairs.append((other.name, one.name))
-    if len(pairs) < FEWEST - 1 or len({thing for thing, _ in pairs}) < len(pairs):
+    bare = all(" " not in text[each.start : each.end] for each in found)
+    least = 1 if bare and _PILING.search(text) else FEWEST - 1  # "Stack red on green."
+    if len(pairs) < least or len({thing for thing, _ in pairs}) < len(pairs):
         return None
     if {name for pair in pairs for name in pair} != {each.name for each in found}:
         return None
@@ -164,7 +181,8 @@ def _by_place(
     listed = text.find(":", next((m.start() for m in _PILING.finditer(text)), 0))
     found = [m for m in found if m is base or m.start > listed]
     pieces = list(dict.fromkeys(m.name for m in found if m is not base))
-    if len(pieces) < FEWEST or (base and base.name in pieces):
+    ends = {_marked(text, found, mark) for mark in (_LOWEST, _HIGHEST)}
+    if (len(pieces) < FEWEST and ends != set(pieces)) or (base and base.name in pieces):
         return None
     related = any(
         _ON.search(text[one.end : other.start])

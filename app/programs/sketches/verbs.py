@@ -11,9 +11,21 @@ PLACES = word_list("places")
 """Names of parameters that say where a thing goes."""
 SPOKEN = word_list("spoken")
 """Names of parameters that take words, not objects."""
+HANDOVER = "handover"
+"""The verb that brings a thing to a person, whether or not one is named."""
+_TAKES = r"(?:me|us|him|her)"
+HANDING = re.compile(
+    r"^\s*(?:(?:please|now|then|can you|could you|would you|will you|robot|hey)[, ]+)*"
+    rf"(?:(?:hand|pass|give|bring|fetch|get|reach|put)(?: over)? {_TAKES}(?: over)? (?!(?:in|on|to)\b)[\w', -]+|"
+    r"hand over [\w', -]+|hand [\w', -]+? over|"
+    rf"(?:hand|pass|give|bring)(?: over)? [\w', -]+?(?: over)? to {_TAKES})(?:[, ]+(?:please|now|thanks))*[\s.!?]*$",
+    re.I,
+)
+"""A sentence that asks for nothing but to be handed something."""
 LITERAL = ("push", "pour", "open", "close", "home", "wipe")
 """Verbs that nobody means who does not say so."""
 _ENGLISH = frozenset(("the", "put", "and", "on", "to", "of", "into", "with", "all", "please"))
+_ORDERING = word_list("ordering")
 _STATES = re.compile(
     r"(?:\b(?:is|are|was|stays?|now|wide|already|an?)|(?<!let)'s) (?:open|closed)\b(?! (?:it|the|up)\b)|"
     r"\b(?:left|leave|kept|standing)(?: (?:the|my|that)(?: \w+){1,3}?)? open\b"
@@ -50,6 +62,24 @@ def spoken_verbs(actions: Sequence[ActionSignature], sentence: str) -> tuple[Act
         if action.name not in LITERAL or said & word_list(f"said of {action.name}")
     )
     return kept or tuple(actions)
+
+
+def asked_verbs(actions: Sequence[ActionSignature], sentence: str) -> tuple[ActionSignature, ...]:
+    """Without verbs that only a sentence asks for that says so: nothing is handed over unasked.
+
+    A place in metres is given in numbers.
+    """
+    if HANDING.match(sentence):
+        return tuple(each for each in actions if each.name == HANDOVER) or tuple(actions)
+    said = set(re.findall(r"[\w']+", sentence.lower()))
+    if not said & (_ENGLISH | _ORDERING):
+        return tuple(actions)
+    unasked = set[str]()
+    if not said & word_list("said of handover"):
+        unasked.add(HANDOVER)
+    if not re.search(r"\d", sentence):
+        unasked.add("place_at")
+    return tuple(action for action in actions if action.name not in unasked)
 
 
 def righted(call: SketchCall, signature: ActionSignature, sentence: str) -> SketchCall:
