@@ -94,7 +94,9 @@ class _Asking:
         self._sentence = plain_english(task.instruction.text, task.scene.names)
         prompt = write_sketch_prompt(self._sentence, self._signatures, task.history)
         self.transcript = Transcript(task.options.name, model, prompt, report)
-        self._home = Home(task.scene.objects, feedback=task.options.feedback)
+        self._home = Home(
+            task.scene.objects, feedback=task.options.feedback, sentence=self._sentence
+        )
         self._here = _room(task)
         self._selection = self._looking()
 

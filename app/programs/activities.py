@@ -40,6 +40,10 @@ DROPPED = ("open", "close", "switchon", "switchoff", "sit")
 """Calls that are left out where the thing does not afford them."""
 RUN = ("machine", "computer")
 """Names of parameters for what is switched on."""
+PLACE = "place"
+"""Name of the parameter for where something is to go, as the sentence tells it."""
+INTO = frozenset(("in", "into", "inside"))
+ONTO = frozenset(("to", "on", "onto", "upon", "at", "by"))
 STATES: Mapping[str, str] = {
     "open": "open",
     "close": "closed",
@@ -126,7 +130,10 @@ def _needed(parameter: str, body: Sequence[Statement]) -> str | None:
 class Home:
     """The things of one home, and the primitives that an activity comes down to there."""
 
-    def __init__(self, objects: Sequence[SceneObject], *, feedback: bool) -> None:
+    def __init__(
+        self, objects: Sequence[SceneObject], *, feedback: bool, sentence: str = ""
+    ) -> None:
+        self._sentence = f" {' '.join(words(sentence))} "
         self._affords = {
             item.name: frozenset(dict(item.properties).get("affordances", "").split())
             for item in objects
@@ -134,6 +141,8 @@ class Home:
         self._feedback = feedback
         self._near = ""
         """What was walked up to last."""
+        self._onto = ""
+        """The place that was told, where it is its surface that is meant: it stays shut."""
         self._sub_tasks = 0
 
     def suits(self, activity: Activity, arguments: Sequence[str]) -> bool:
@@ -156,6 +165,8 @@ class Home:
         given = dict(
             zip((each.name for each in activity.signature.parameters), arguments, strict=True)
         )
+        place = given.get(PLACE, "")
+        self._onto = place if self._is_onto(place) else ""
         for statement in activity.body:
             match statement:
                 case Comment(text=text):
@@ -206,6 +217,8 @@ class Home:
         target = names[-1] if names else ""
         if verb in DROPPED and not self._affords[target] & set(AFFORDED[verb].split("|")):
             return
+        if verb in ("open", "close") and target == self._onto:
+            return
         if target and target != self._near and verb not in ("find", "walk"):
             yield ActionCall(action="find", arguments=(target,))
             yield from self._asserted(Relation("near", (target,)), ("find", target))
@@ -227,7 +240,19 @@ class Home:
             calls = tuple(ActionCall(action=verb, arguments=(name,)) for verb, name in recovery)
             yield Assertion(condition=condition, recovery=calls)
 
+    def _is_onto(self, place: str) -> bool:
+        """Whether "to the nightstand" is onto it: what has a surface is opened for "into" alone."""
+        if not {"can_open", "surfaces"} <= self._affords.get(place, frozenset()):
+            return False
+        said = set(self._sentence.split())
+        if said & ONTO and said & INTO:
+            inside = "|".join(sorted(INTO))
+            return not re.search(rf" (?:{inside}) (?:\w+ )?{apart(place)} ", self._sentence)
+        return not said & INTO
+
     def _put(self, place: str) -> str:
+        if place == self._onto:
+            return "putback"
         affords = self._affords[place]
         inside = "can_open" in affords or "surfaces" not in affords
         return "putin" if inside and affords & {"containers", "can_open"} else "putback"

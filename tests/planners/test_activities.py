@@ -1,4 +1,6 @@
+import json
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -16,6 +18,7 @@ from app.worlds import worlds
 
 HOUSEHOLD = worlds["household"]
 PLANNER = planners["activities"]
+SCENES = Path(__file__).parents[2] / "static" / "scenes"
 
 
 @pytest.fixture
@@ -111,6 +114,8 @@ def test_a_world_without_activities_is_declined(task, canned):
         ("heat the soup", "heat('soup')", "env1", ["heated(soup)", "held(soup)"]),
         ("put all the cutlery in the sink", "put(all('cutlery'), 'sink')", "env0", ["in(fork, sink)", "in(knife, sink)", "in(spoon, sink)"]),
         ("eat the cookies on the couch", "eat_on('cookies', 'couch')", "env1", ["on(character, sofa)"]),
+        ("bring the juice to the nightstand", "bring('juice', 'nightstand')", "env0", ["on(juice, nightstand)", "closed(nightstand)"]),
+        ("put the pen into the nightstand", "put('pen', 'nightstand')", "env0", ["in(pen, nightstand)"]),
         ("refrigerate the salmon", "refrigerate('salmon')", "env0", ["in(salmon, fridge)"]),
     ],
 )  # fmt: skip
@@ -137,3 +142,27 @@ def test_what_is_asked_for_is_so_in_the_end(sentence, sketch, environment, goal,
     assert not [each for each in events if isinstance(each, ActionFailed | CallSkipped)]
     unmet = [each for each in goal if not decide(parse_condition(each), world.holds)]
     assert unmet == [], planned.text
+
+
+WRITTEN = {
+    "juice-by-the-bed": "    bring('juice', 'nightstand')\n\n",
+    "clean-towel": "    launder('towel')\n\n",
+}
+"""What the default model writes for the household's shipped scenes."""
+
+
+@pytest.mark.parametrize("name", WRITTEN)
+def test_the_shipped_scenes_reach_their_goals(name, canned):
+    shipped = json.loads((SCENES / f"{name}.json").read_text(encoding="utf-8"))
+    scene = HOUSEHOLD.complete(Scene(**shipped["scene"]), 0)
+    world = HOUSEHOLD.open_perfect(scene, 0)
+    task = Task(
+        scene=scene,
+        actions=offered(HOUSEHOLD, scene),
+        instruction=Instruction(shipped["instruction"]),
+        options=PlannerOptions(name="activities"),
+        facts=world.facts(),
+    )
+    planned = _planned(task, canned(WRITTEN[name]))
+    carry_out(planned.plan, Goal(()), world, lambda _: None)
+    assert all(decide(parse_condition(each), world.holds) for each in shipped["goal"])
