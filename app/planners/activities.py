@@ -11,6 +11,7 @@ from app.domain.program import ActionCall, Comment, Pass, Program, Statement
 from app.llm.meaning import likeness
 from app.planners import planners
 from app.programs.activities import Activity, Home, load_activities
+from app.programs.home_members import HomeMembers
 from app.programs.home_selection import HomeSelection
 from app.programs.printer import print_program
 from app.programs.sketches.composer import Composer, Composition
@@ -94,8 +95,14 @@ class _Asking:
         self._sentence = plain_english(task.instruction.text, task.scene.names)
         prompt = write_sketch_prompt(self._sentence, self._signatures, task.history)
         self.transcript = Transcript(task.options.name, model, prompt, report)
+        self._members = HomeMembers(
+            task.scene.objects, task.rehearsal().holds if task.rehearsal else None
+        )
         self._home = Home(
-            task.scene.objects, feedback=task.options.feedback, sentence=self._sentence
+            task.scene.objects,
+            self._members,
+            feedback=task.options.feedback,
+            sentence=self._sentence,
         )
         self._here = _room(task)
         self._selection = self._looking()
@@ -103,7 +110,8 @@ class _Asking:
     def _looking(self) -> HomeSelection:
         task = self._task
         sentence, here = task.instruction.text, self._here
-        return HomeSelection(task.scene.objects, task.facts, sentence, likeness, here)
+        objects, members = task.scene.objects, self._members
+        return HomeSelection(objects, task.facts, sentence, likeness, here, members)
 
     def ask(self, unsuited: Collection[str]) -> Completion:
         """A sketch of the activities that the sentence may mean, without these."""

@@ -19,6 +19,7 @@ from app.domain.errors import TaskDeclined
 from app.domain.program import ActionCall, Assertion, Comment, Statement, Variable
 from app.domain.scene import SceneObject
 from app.programs.examples import FOLDER
+from app.programs.home_members import HomeMembers, room_told
 from app.programs.knowledge.classes import belonging, classes
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.names import words
@@ -40,6 +41,8 @@ DROPPED = ("open", "close", "switchon", "switchoff", "sit")
 """Calls that are left out where the thing does not afford them."""
 RUN = ("machine", "computer")
 """Names of parameters for what is switched on."""
+ROOM = "room"
+"""The name for the room that the sentence speaks of, if it does."""
 PLACE = "place"
 """Name of the parameter for where something is to go, as the sentence tells it."""
 INTO = frozenset(("in", "into", "inside"))
@@ -131,12 +134,20 @@ class Home:
     """The things of one home, and the primitives that an activity comes down to there."""
 
     def __init__(
-        self, objects: Sequence[SceneObject], *, feedback: bool, sentence: str = ""
+        self,
+        objects: Sequence[SceneObject],
+        members: HomeMembers | None = None,
+        *,
+        feedback: bool,
+        sentence: str = "",
     ) -> None:
+        self._members = members or HomeMembers(objects)
+        self._room = room_told(objects, sentence)
         self._sentence = f" {' '.join(words(sentence))} "
         self._affords = {
-            item.name: frozenset(dict(item.properties).get("affordances", "").split())
+            name: frozenset(dict(item.properties).get("affordances", "").split())
             for item in objects
+            for name in (item.name, *item.members())
         }
         self._feedback = feedback
         self._near = ""
@@ -147,7 +158,8 @@ class Home:
 
     def suits(self, activity: Activity, arguments: Sequence[str]) -> bool:
         """Whether each of the things affords what the activity does with it."""
-        if any(_is(name, each) for name in arguments for each in activity.not_for):
+        kinds = [self._members.class_of(name) for name in arguments]
+        if any(_is(name, each) for name in kinds for each in activity.not_for):
             return False
         return all(
             parameter.affordance is None
@@ -182,7 +194,9 @@ class Home:
                 case _:
                     yield statement
         if idle:
-            asked = " ".join((activity.signature.name.replace("_", " "), *map(apart, arguments)))
+            asked = " ".join(
+                (activity.signature.name.replace("_", " "), *map(self._members.spoken, arguments))
+            )
             raise TaskDeclined(f"nothing here can be done for: {asked}", kind="impossible")
 
     def _stands_fixed(self, call: ActionCall, activity: Activity, given: Mapping[str, str]) -> bool:
@@ -193,7 +207,9 @@ class Home:
         return taken and "grabbable" not in self._affords[given[name]]
 
     def _comment(self, text: str, given: Mapping[str, str]) -> Comment:
-        said = _MENTIONED.sub(lambda match: apart(given.get(match[1], match[1])), text.strip())
+        said = _MENTIONED.sub(
+            lambda match: self._members.spoken(given.get(match[1], match[1])), text.strip()
+        )
         self._sub_tasks += 1
         return Comment(text=f"{self._sub_tasks - 1}: {said}")
 
@@ -207,7 +223,14 @@ class Home:
             return given[str(value)]
         told = str(value)
         choices = [each.strip() for each in told.removesuffix("?").split("|")]
+        if choices == [ROOM]:
+            return self._room or None
         found = next((each for each in choices if each in self._affords), None)
+        if found and self._room:
+            there = self._members.within(self._members.of(found) or (found,), self._room)
+            if not there and told.endswith("?"):
+                return None  # The lamp of another room.
+            return self._members.one_within(found, self._room)
         if found is None and not told.endswith("?"):
             wanted = " or ".join(map(apart, choices))
             raise TaskDeclined(f"there is no {wanted} here", kind="absent")

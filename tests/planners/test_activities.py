@@ -116,6 +116,12 @@ def test_a_world_without_activities_is_declined(task, canned):
         ("eat the cookies on the couch", "eat_on('cookies', 'couch')", "env1", ["on(character, sofa)"]),
         ("bring the juice to the nightstand", "bring('juice', 'nightstand')", "env0", ["on(juice, nightstand)", "closed(nightstand)"]),
         ("put the pen into the nightstand", "put('pen', 'nightstand')", "env0", ["in(pen, nightstand)"]),
+        ("close all the windows", "close(all('windows'))", "env0", ["closed(window 1)", "closed(window 2)", "closed(window 3)"]),
+        ("put the dirty plates in the dishwasher", "put('dirty plates', 'dishwasher')", "env0", ["in(plate 1, dishwasher)", "in(plate 2, dishwasher)", "in(plate 3, dishwasher)"]),
+        ("put the toys in the toy box", "put(all('toys'), 'toy box')", "env1", ["in(boardgame, toybox)", "in(toycar 1, toybox)", "in(toycar 2, toybox)", "in(ball, toybox)"]),
+        ("it is dark in the bedroom, make some light", "lights_on()", "env0", ["switched_on(ceilinglamp 3)", "switched_off(ceilinglamp 2)"]),
+        ("turn off the lamp in the kitchen", "switch_off('lamp in the kitchen')", "env0", ["switched_off(ceilinglamp 1)", "switched_on(ceilinglamp 4)"]),
+        ("open the window in the bedroom", "open('window')", "env0", ["open(window 3)", "closed(window 2)"]),
         ("refrigerate the salmon", "refrigerate('salmon')", "env0", ["in(salmon, fridge)"]),
     ],
 )  # fmt: skip
