@@ -10,7 +10,8 @@ from app.domain.planner import Draft, Report, Task
 from app.domain.program import ActionCall, Comment, Pass, Program, Statement
 from app.llm.meaning import likeness
 from app.planners import planners
-from app.programs.activities import Activity, Home, load_activities
+from app.programs.activities import Activity, load_activities
+from app.programs.home import Home
 from app.programs.home_members import HomeMembers
 from app.programs.home_selection import HomeSelection
 from app.programs.printer import print_program
@@ -95,6 +96,7 @@ class _Asking:
         self._sentence = plain_english(task.instruction.text, task.scene.names)
         prompt = write_sketch_prompt(self._sentence, self._signatures, task.history)
         self.transcript = Transcript(task.options.name, model, prompt, report)
+        self._offered = frozenset(each.name for each in task.actions)
         self._members = HomeMembers(
             task.scene.objects, task.rehearsal().holds if task.rehearsal else None
         )
@@ -103,6 +105,7 @@ class _Asking:
             self._members,
             feedback=task.options.feedback,
             sentence=self._sentence,
+            offered=self._offered,
         )
         self._here = _room(task)
         self._selection = self._looking()
@@ -151,13 +154,27 @@ class _Asking:
         Raises:
             TaskDeclined: the home lacks something that an activity takes.
         """
-        for statement in body:
-            if isinstance(statement, ActionCall):
-                activity = self._known[statement.action]
-                yield from self._home.carry_out(activity, self._names(statement))
-            elif not isinstance(statement, Comment):
-                yield statement
-        yield self._home.done() if body else Pass()
+        calls = [each for each in body if isinstance(each, ActionCall)]
+        for call in calls:
+            self._demand_actions(self._known[call.action])
+        needless = [self._home.needless(self._known[e.action], self._names(e)) for e in calls]
+        if len({call.action for call in calls}) > 1 and not all(needless):
+            needless = [None] * len(calls)  # What is so now may not be when its turn comes.
+        for call, reason in zip(calls, needless, strict=True):
+            if reason is None:
+                yield from self._home.carry_out(self._known[call.action], self._names(call))
+            else:
+                yield Comment(text=f"nothing to do: {reason}")
+        yield Pass() if all(needless) else self._home.done()
+
+    def _demand_actions(self, activity: Activity) -> None:
+        """Raises TaskDeclined: without an action that is not on offer it would do nothing."""
+        for missing in sorted(activity.needs - self._offered):
+            raise TaskDeclined(
+                f"to {activity.signature.name.replace('_', ' ')} takes the action {missing!r}, "
+                f"which is not on offer: name it among the scene's actions, beside the others",
+                kind="impossible",
+            )
 
     def _names(self, call: ActionCall) -> list[str]:
         return [self._selection.class_name(str(each)) for each in call.arguments]

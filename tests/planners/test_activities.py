@@ -172,3 +172,55 @@ def test_the_shipped_scenes_reach_their_goals(name, canned):
     planned = _planned(task, canned(WRITTEN[name]))
     carry_out(planned.plan, Goal(()), world, lambda _: None)
     assert all(decide(parse_condition(each), world.holds) for each in shipped["goal"])
+
+
+def _at(environment, sentence, sketch, canned, *, actions=None):
+    scene = Scene(world="household", environment=environment, actions=actions)
+    scene = HOUSEHOLD.complete(scene, 0)
+    world = HOUSEHOLD.open_perfect(scene, 0)
+    task = Task(
+        scene=scene,
+        actions=offered(HOUSEHOLD, scene),
+        instruction=Instruction(sentence),
+        options=PlannerOptions(name="activities"),
+        facts=world.facts(),
+    )
+    return _planned(task, canned(f"{sketch}\n\n"))
+
+
+@pytest.mark.parametrize(
+    ("sentence", "sketch", "reason"),
+    [
+        ("put the cereal away", "    store('cereal')", "the cereal is in the kitchen cabinet already"),
+        ("turn off the tv", "    switch_off('tv')", "the tv is switched off already"),
+    ],
+)  # fmt: skip
+def test_what_is_so_already_is_said_and_not_done(sentence, sketch, reason, canned):
+    planned = _at("env0", sentence, sketch, canned)
+    assert planned.plan.calls == ()
+    assert f"# nothing to do: {reason}" in planned.text
+
+
+def test_of_several_only_those_are_seen_to_that_are_not_so_already(canned):
+    text = _at("env0", "close all the windows", "    close(all('windows'))", canned).text
+    assert "close('window 1')" in text
+    assert "# nothing to do: the window 2 is closed already" in text
+
+
+def test_a_state_that_an_earlier_call_changes_is_seen_to(canned):
+    sketch = "    open('closet')\n    close('fridge')"
+    text = _at("env0", "open the closet and close the fridge", sketch, canned).text
+    assert "nothing to do" not in text
+
+
+def test_what_takes_an_action_that_is_not_on_offer_is_declined_as_a_whole(canned):
+    sketch = "    heat('milk')\n    drink('milk')"
+    with pytest.raises(TaskDeclined, match="'drink', which is not on offer"):
+        _at("env0", "heat the milk and drink it", sketch, canned)
+
+
+def test_what_takes_an_action_is_done_where_it_is_on_offer(canned):
+    sketch = "    heat('milk')\n    drink('milk')"
+    actions = (*HOUSEHOLD.default_actions, "drink")
+    planned = _at("env0", "heat the milk and drink it", sketch, canned, actions=actions)
+    assert "drink('milk')" in planned.text

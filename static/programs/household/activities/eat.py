@@ -9,3 +9,4 @@ def eat(food):
     grab(food)
     # sit down to eat the {food}
     sit('chair | kitchenchair | sofa | bench | armchair')
+    eat(food)
