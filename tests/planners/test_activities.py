@@ -122,6 +122,8 @@ def test_a_world_without_activities_is_declined(task, canned):
         ("it is dark in the bedroom, make some light", "lights_on()", "env0", ["switched_on(ceilinglamp 3)", "switched_off(ceilinglamp 2)"]),
         ("turn off the lamp in the kitchen", "switch_off('lamp in the kitchen')", "env0", ["switched_off(ceilinglamp 1)", "switched_on(ceilinglamp 4)"]),
         ("open the window in the bedroom", "open('window')", "env0", ["open(window 3)", "closed(window 2)"]),
+        ("bring the tomato and the cheese to the kitchen table", "bring('tomato', 'kitchen table')\n    bring('cheese', 'kitchen table')", "env0", ["on(tomato, kitchentable)", "on(cheese, kitchentable)", "closed(fridge)"]),
+        ("put all the plates on the kitchen table", "put(all('plates'), 'kitchen table')", "env0", ["on(plate 1, kitchentable)", "on(plate 2, kitchentable)", "closed(kitchencabinet 1)", "closed(kitchencabinet 2)"]),
         ("refrigerate the salmon", "refrigerate('salmon')", "env0", ["in(salmon, fridge)"]),
     ],
 )  # fmt: skip
