@@ -11,6 +11,7 @@ from app.programs.activities import AFFORDED, DROPPED, Activity
 from app.programs.home_members import HomeMembers, room_told
 from app.programs.knowledge.classes import belonging, classes
 from app.programs.knowledge.compounds import apart
+from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
 
 CLEARLY = 0.7
@@ -58,6 +59,8 @@ class Home:
             for name in (item.name, *item.members())
         }
         self._feedback = feedback
+        self._runs: set[str] = set()
+        """What was switched on."""
         self._near = ""
         """What was walked up to last."""
         self._onto = ""
@@ -194,6 +197,9 @@ class Home:
             yield ActionCall(action="find", arguments=(target,))
             yield from self._asserted(Relation("near", (target,)), ("find", target))
         self._near = target
+        if verb in ("put", "pour"):
+            self._refuse_harm(names[0], target)
+        self._runs |= {self._members.class_of(target)} if verb == "switchon" else set()
         if verb == "put":
             verb = self._put(target)
             yield from self._asserted(
@@ -210,6 +216,17 @@ class Home:
         if self._feedback:
             calls = tuple(ActionCall(action=verb, arguments=(name,)) for verb, name in recovery)
             yield Assertion(condition=condition, recovery=calls)
+
+    def _refuse_harm(self, name: str, place: str) -> None:
+        """Raises TaskDeclined: it can hurt somebody or ruin the thing."""
+        thing, where = (apart(self._members.class_of(each)) for each in (name, place))
+        full = "full sink" if where.endswith("sink") and "faucet" in self._runs else where
+        if rule := hazard(thing, full):
+            raise TaskDeclined(
+                f"the {thing} in, on or at the {where}: {rule.reason}",
+                kind="hazardous",
+                question=f"Where else should the {thing} go?",
+            )
 
     def _is_onto(self, place: str) -> bool:
         """Whether "to the nightstand" is onto it: what has a surface is opened for "into" alone."""

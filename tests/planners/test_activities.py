@@ -226,3 +226,18 @@ def test_what_takes_an_action_is_done_where_it_is_on_offer(canned):
     actions = (*HOUSEHOLD.default_actions, "drink")
     planned = _at("env0", "heat the milk and drink it", sketch, canned, actions=actions)
     assert "drink('milk')" in planned.text
+
+
+@pytest.mark.parametrize(
+    ("sentence", "sketch"),
+    [
+        ("put the laptop in the oven", "    bake('laptop')"),
+        ("wash the laptop", "    rinse('laptop')"),
+        ("heat the socks", "    heat('slippers')"),
+        ("wash the notebook in the washing machine", "    wash_in('notebook', 'washing machine')"),
+    ],
+)
+def test_what_can_hurt_or_ruin_is_refused_with_the_reason(sentence, sketch, canned):
+    with pytest.raises(TaskDeclined) as declined:
+        _at("env2", sentence, sketch, canned)
+    assert declined.value.kind == "hazardous"
