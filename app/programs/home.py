@@ -9,10 +9,10 @@ from app.domain.program import ActionCall, Assertion, Comment, Statement, Variab
 from app.domain.scene import SceneObject
 from app.programs.activities import AFFORDED, DROPPED, Activity
 from app.programs.home_members import HomeMembers, room_told
+from app.programs.home_places import HomePlaces
 from app.programs.knowledge.classes import belonging, classes
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.hazards import hazard
-from app.programs.knowledge.names import words
 
 CLEARLY = 0.7
 """How surely a thing belongs to a class that an activity is not for."""
@@ -24,8 +24,6 @@ ROOM = "room"
 """The name for the room that the sentence speaks of, if it does."""
 PLACE = "place"
 """Name of the parameter for where something is to go, as the sentence tells it."""
-INTO = frozenset(("in", "into", "inside"))
-ONTO = frozenset(("to", "on", "onto", "upon", "at", "by"))
 STATES: Mapping[str, str] = {
     "open": "open",
     "close": "closed",
@@ -52,12 +50,8 @@ class Home:
         self._offered = offered
         self._members = members or HomeMembers(objects)
         self._room = room_told(objects, sentence)
-        self._sentence = f" {' '.join(words(sentence))} "
-        self._affords = {
-            name: frozenset(dict(item.properties).get("affordances", "").split())
-            for item in objects
-            for name in (item.name, *item.members())
-        }
+        self._places = HomePlaces(objects, self._members, sentence)
+        self._affords = self._places.affords
         self._feedback = feedback
         self._runs: set[str] = set()
         """What was switched on."""
@@ -87,7 +81,7 @@ class Home:
         idle = True
         given = self._given(activity, arguments)
         place = given.get(PLACE, "")
-        self._onto = place if self._is_onto(place) else ""
+        self._onto = place if self._places.is_onto(place) else ""
         for statement in activity.body:
             match statement:
                 case Comment(text=text):
@@ -175,7 +169,7 @@ class Home:
         if choices == [ROOM]:
             return self._room or None
         found = next((each for each in choices if each in self._affords), None)
-        if found and self._room:
+        if found and self._room and "grabbable" not in self._affords[found]:
             there = self._members.within(self._members.of(found) or (found,), self._room)
             if not there and told.endswith("?"):
                 return None  # The lamp of another room.
@@ -187,12 +181,12 @@ class Home:
 
     def _call(self, verb: str, names: Sequence[str]) -> Iterator[Statement]:
         target = names[-1] if names else ""
-        if verb in DROPPED and not self._affords[target] & set(AFFORDED[verb].split("|")):
+        if self._left_out(verb, target):
             return
-        if verb in ("open", "close") and target == self._onto:
-            return
-        if verb in AT_BEST and verb not in self._offered:
-            return
+        if verb == "put" and target in self._places.rooms:
+            yield ActionCall(action="walk", arguments=(target,))
+            self._onto = target = self._places.laid_in(target)
+            names = [*names[:-1], target]
         if target and target != self._near and verb not in ("find", "walk"):
             yield ActionCall(action="find", arguments=(target,))
             yield from self._asserted(Relation("near", (target,)), ("find", target))
@@ -201,7 +195,7 @@ class Home:
             self._refuse_harm(names[0], target)
         self._runs |= {self._members.class_of(target)} if verb == "switchon" else set()
         if verb == "put":
-            verb = self._put(target)
+            verb = "putback" if target == self._onto else self._places.verb(target)
             yield from self._asserted(
                 Relation("held", (names[0],)), ("find", names[0]), ("grab", names[0])
             )
@@ -211,6 +205,12 @@ class Home:
             yield Assertion(condition=Relation(state, (target,)), recovery=(call,))
         else:
             yield call
+
+    def _left_out(self, verb: str, target: str) -> bool:
+        if verb in DROPPED and not self._affords[target] & set(AFFORDED[verb].split("|")):
+            return True
+        shut = verb in ("open", "close") and target == self._onto
+        return shut or (verb in AT_BEST and verb not in self._offered)
 
     def _asserted(self, condition: Relation, *recovery: tuple[str, str]) -> Iterator[Assertion]:
         if self._feedback:
@@ -227,23 +227,6 @@ class Home:
                 kind="hazardous",
                 question=f"Where else should the {thing} go?",
             )
-
-    def _is_onto(self, place: str) -> bool:
-        """Whether "to the nightstand" is onto it: what has a surface is opened for "into" alone."""
-        if not {"can_open", "surfaces"} <= self._affords.get(place, frozenset()):
-            return False
-        said = set(self._sentence.split())
-        if said & ONTO and said & INTO:
-            inside = "|".join(sorted(INTO))
-            return not re.search(rf" (?:{inside}) (?:\w+ )?{apart(place)} ", self._sentence)
-        return not said & INTO
-
-    def _put(self, place: str) -> str:
-        if place == self._onto:
-            return "putback"
-        affords = self._affords[place]
-        inside = "can_open" in affords or "surfaces" not in affords
-        return "putin" if inside and affords & {"containers", "can_open"} else "putback"
 
 
 def _is(name: str, other: str) -> bool:

@@ -1,5 +1,6 @@
 """Eat, seated.
 
+Not said with: make breakfast, breakfast ready, prepare breakfast, fix breakfast.
 Said with: eat, have, snack, bite, enjoy, munch, taste, nibble, lunch, breakfast, dinner.
 """
 
