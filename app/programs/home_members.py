@@ -1,5 +1,6 @@
 """The single things of a home where a class has several, and the room a sentence speaks of."""
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 
 from app.domain.condition import Relation
@@ -65,3 +66,16 @@ def room_told(objects: Sequence[SceneObject], sentence: str, *, before: Sequence
         if any(f"{lead} {name} " in said for lead in leads for name in {room, apart(room)})
     ]
     return told[0] if len(told) == 1 else ""
+
+
+_OPERATED = re.compile(r"(?:please |can you |could you )?(?:open|close|shut|turn|switch)\b", re.I)
+
+
+def without_room(objects: Sequence[SceneObject], sentence: str) -> str:
+    """The sentence without "in the bedroom" where that only tells which window is to be opened."""
+    room = room_told(objects, sentence, before=("in", "of"))
+    if not room or not _OPERATED.match(sentence):
+        return sentence
+    names = "|".join(re.escape(name) for name in (room, apart(room)))
+    shorter = re.sub(rf" (?:in|of) (?:the |my |our )?(?:{names})\b", "", sentence, flags=re.I)
+    return " ".join(shorter.split())

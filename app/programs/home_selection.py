@@ -4,7 +4,9 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from app.domain.condition import Relation
+from app.domain.errors import TaskDeclined
 from app.domain.scene import SceneObject
+from app.programs.home_answers import nearest_things
 from app.programs.home_members import HomeMembers, room_told
 from app.programs.knowledge.classes import normal
 from app.programs.knowledge.compounds import apart
@@ -13,7 +15,7 @@ from app.programs.sketches.matching import COUNTS, EXACT
 from app.programs.sketches.qualities import Fits, affording
 from app.programs.sketches.selection import Found, Judge, Selection
 from app.programs.sketches.sketch import Phrase
-from app.programs.sketches.things import Thing, read_things
+from app.programs.sketches.things import Thing, listed, read_things
 
 EQUAL = 0.015
 """Fits this close to the best are as good."""
@@ -37,6 +39,7 @@ class HomeSelection(Selection):
         members: HomeMembers | None = None,
     ) -> None:
         """``here`` is the room the agent is in, as the world calls it."""
+        self._judge = judge
         self._members = members or HomeMembers(objects)
         names = [n for item in objects for n in (item.name, *self._members.of(item.name))]
         self._class_names = {self._members.spoken(name): name for name in names}
@@ -180,6 +183,19 @@ class HomeSelection(Selection):
                 kept = [w for w in said[:-size] if w not in ("in", "of", "from", "the", "on", "at")]
                 return replace(phrase, text=" ".join(kept)), room.name
         return phrase, None
+
+    def absent(self, text: str) -> TaskDeclined:
+        """Nothing in the home fits: the nearest things are named."""
+        names = [thing.name for thing in self.things if thing.item.category != "room"]
+        alike = nearest_things(text, names, self._judge)
+        told = (
+            f"; the nearest to it is {listed(alike, 'or')}" if alike else ", nor anything like it"
+        )
+        return TaskDeclined(
+            f"there is no {text} here{told}",
+            kind="absent",
+            question=f"What do you mean by {text!r}?",
+        )
 
     def possible(self, phrase: Phrase, without: Collection[str] = ()) -> bool:
         """Whether anything fits at all, loosely."""

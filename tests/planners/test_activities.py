@@ -8,7 +8,7 @@ from app.domain.condition import decide
 from app.domain.errors import Cancelled, CompletionFailed, TaskDeclined
 from app.domain.goal import Goal
 from app.domain.instruction import Instruction
-from app.domain.planner import PlannerOptions, Task
+from app.domain.planner import PlannerOptions, Task, Turn
 from app.domain.scene import Scene
 from app.domain.trace import ActionFailed, CallSkipped
 from app.planners import planners
@@ -99,6 +99,78 @@ def test_whoever_asks_for_it_stops_it(at_home, canned):
         )
 
 
+def _after(*turns):
+    return tuple(Turn(instruction=each, program=f"def f():\n{body}") for each, body in turns)
+
+
+FETCHED = (
+    "put the juice on the kitchen table",
+    "    grab('juice')\n    putback('juice', 'kitchentable')\n",
+)
+"""A turn with its plan."""
+
+
+def test_put_it_back_is_where_it_was(at_home, canned):
+    task = replace(at_home("put it back"), history=_after(FETCHED))
+    world = HOUSEHOLD.open_perfect(task.scene, 0)
+    for action, *things in (
+        ("find", "fridge"), ("open", "fridge"), ("grab", "juice"),
+        ("find", "kitchentable"), ("putback", "juice", "kitchentable"),
+    ):  # fmt: skip
+        list(world.perform(action, tuple(things)))
+    state = world.save()
+    planned = plan_task(
+        task,
+        PLANNER,
+        canned(""),
+        lambda: HOUSEHOLD.open_perfect(task.scene, 0, state),
+        lambda _: False,
+    )
+    assert "putin('juice', 'fridge')" in planned.text
+
+
+def test_what_was_switched_is_switched_back(at_home, canned):
+    history = _after(("turn on the tv", "    switchon('tv')\n"))
+    task = replace(at_home("undo that"), history=history)
+    # Whoever asks knows that it is on; the home of this test does not.
+    assert "tv is switched off already" in _planned(task, canned("")).text
+
+
+def test_it_is_what_the_turn_before_took(at_home, canned):
+    task = replace(at_home("put it in the sink"), history=_after(FETCHED))
+    assert "putin('juice', 'sink')" in _planned(task, canned("    put('it', 'sink')\n")).text
+
+
+def test_another_thing_alone_is_done_the_same_with(at_home, canned):
+    model = canned("    put('milk', 'kitchen table')\n")
+    _planned(replace(at_home("now the milk"), history=_after(FETCHED)), model)
+    assert "# put the milk on the kitchen table\n" in model.requests[0].prompt
+
+
+def test_what_cannot_be_done_is_declined_with_examples(at_home, canned):
+    with pytest.raises(TaskDeclined, match="such as 'bring the milk to the kitchen table'"):
+        _planned(at_home("sing me a song"), canned("    decline('impossible')\n"))
+
+
+def test_what_is_said_of_two_things_that_are_there_is_not_declined(at_home, canned):
+    model = canned("    put('pen', 'desk')\n")
+    _planned(at_home("take the pen to the desk"), model)
+    assert "declined" not in model.requests[0].grammar.splitlines()[0]
+
+
+def test_the_room_of_a_window_is_not_told_to_the_model(at_home, canned):
+    model = canned("    open('window')\n")
+    planned = _planned(at_home("open the window in the bedroom"), model)
+    assert "# open the window\n" in model.requests[0].prompt
+    assert "open('window 3')" in planned.text
+
+
+def test_what_is_absent_is_not_answered_with_a_list_of_all_there_is(at_home, canned):
+    with pytest.raises(TaskDeclined, match="there is no elephant here") as declined:
+        _planned(at_home("bring me the elephant"), canned("    bring_me('elephant')\n"))
+    assert "and" not in declined.value.reason
+
+
 def test_a_world_without_activities_is_declined(task, canned):
     with pytest.raises(TaskDeclined, match="no activities"):
         PLANNER.write_program(task(name="activities"), canned(""), lambda _: False)
@@ -124,6 +196,11 @@ def test_a_world_without_activities_is_declined(task, canned):
         ("open the window in the bedroom", "open('window')", "env0", ["open(window 3)", "closed(window 2)"]),
         ("bring the tomato and the cheese to the kitchen table", "bring('tomato', 'kitchen table')\n    bring('cheese', 'kitchen table')", "env0", ["on(tomato, kitchentable)", "on(cheese, kitchentable)", "closed(fridge)"]),
         ("put all the plates on the kitchen table", "put(all('plates'), 'kitchen table')", "env0", ["on(plate 1, kitchentable)", "on(plate 2, kitchentable)", "closed(kitchencabinet 1)", "closed(kitchencabinet 2)"]),
+        ("make me a cup of coffee", "make_coffee()", "env0", ["switched_on(coffeemaker)", "held(mug)"]),
+        ("vacuum the living room", "vacuum()", "env2", ["in(vacuumcleaner, livingroom)", "switched_on(vacuumcleaner)"]),
+        ("take the umbrella to the office", "bring('umbrella', 'office')", "env2", ["on(umbrella, desk)", "in(umbrella, office)"]),
+        ("make breakfast", "make_breakfast()", "env1", ["on(bread, diningtable)"]),
+        ("I am cold", "get_warm()", "env2", ["held(jacket)"]),
         ("refrigerate the salmon", "refrigerate('salmon')", "env0", ["in(salmon, fridge)"]),
     ],
 )  # fmt: skip
