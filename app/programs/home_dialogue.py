@@ -29,7 +29,7 @@ _OPPOSITE: Mapping[str, str] = {
 def _latest(history: Sequence[Turn]) -> list[ActionCall]:
     """The calls of the latest turn that had a plan."""
     plans = (calls_of(turn.program) for turn in reversed(history))
-    return next((calls for calls in plans if calls), [])
+    return next(filter(None, plans), list[ActionCall]())
 
 
 def spoken_of(history: Sequence[Turn], members: HomeMembers) -> tuple[str, ...]:
@@ -87,7 +87,7 @@ def _place_before(
             if call.action.startswith("put") and str(call.arguments[0]) == thing:
                 return str(call.arguments[-1])
     kind = members.class_of(thing)
-    told = next((dict(item.properties) for item in objects if item.name == kind), {})
-    places = told.get("place", "").split()
+    told = [dict(item.properties).get("place", "") for item in objects if item.name == kind]
+    places = " ".join(told).split()
     number = int(thing.removeprefix(kind) or 1)
     return places[number - 1] if number <= len(places) else ""
