@@ -12,6 +12,7 @@ from app.programs.knowledge.classes import normal
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.names import words
 from app.programs.sketches.matching import COUNTS, EXACT
+from app.programs.sketches.phrase import spoken_of
 from app.programs.sketches.qualities import Fits, affording
 from app.programs.sketches.selection import Found, Judge, Selection
 from app.programs.sketches.sketch import Phrase
@@ -135,6 +136,7 @@ class HomeSelection(Selection):
         members = self._members.of(self.class_name(thing.name))
         if room is not None:
             members = self._members.within(members, self.class_name(room)) or members
+        members = self._standing(members, phrase) or members
         spoken, said = words(phrase.text), set(words(self.sentence))
         # Curtains and pants are spoken of so even where one pair is meant.
         paired = normal(thing.words[-1]) != thing.words[-1]
@@ -142,6 +144,15 @@ class HomeSelection(Selection):
         if not members or not (plural or said & EVERY):
             return (thing,)
         return tuple(self._called(thing, name) for name in members)
+
+    def _standing(self, members: tuple[str, ...], phrase: Phrase) -> tuple[str, ...]:
+        """Those of them that are in or on what the phrase tells: the pillows on the sofa."""
+        for key, other in spoken_of(phrase, self.sentence).relations:
+            anchor = Phrase(text=other)
+            if key in ("on", "inside") and self.possible(anchor):
+                place = self.one(anchor).things[0].name
+                members = tuple(m for m in members if self.rests(self._members.spoken(m), place))
+        return members
 
     def rests(self, name: str, place: str) -> bool:
         """Whether the one is in or on the other."""

@@ -196,6 +196,7 @@ def test_a_world_without_activities_is_declined(task, canned):
         ("open the window in the bedroom", "open('window')", "env0", ["open(window 3)", "closed(window 2)"]),
         ("bring the tomato and the cheese to the kitchen table", "bring('tomato', 'kitchen table')\n    bring('cheese', 'kitchen table')", "env0", ["on(tomato, kitchentable)", "on(cheese, kitchentable)", "closed(fridge)"]),
         ("put all the plates on the kitchen table", "put(all('plates'), 'kitchen table')", "env0", ["on(plate 1, kitchentable)", "on(plate 2, kitchentable)", "closed(kitchencabinet 1)", "closed(kitchencabinet 2)"]),
+        ("put everything from the kitchen table in the sink", "put(all('things', inside='kitchen table'), 'sink')", "env0", ["in(bowl 3, sink)", "in(bowl 1, kitchencabinet)"]),
         ("make me a cup of coffee", "make_coffee()", "env0", ["switched_on(coffeemaker)", "held(mug)"]),
         ("vacuum the living room", "vacuum()", "env2", ["in(vacuumcleaner, livingroom)", "switched_on(vacuumcleaner)"]),
         ("take the umbrella to the office", "bring('umbrella', 'office')", "env2", ["on(umbrella, desk)", "in(umbrella, office)"]),
