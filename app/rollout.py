@@ -63,6 +63,7 @@ def plan_task(
             task.scene,
             rehearsal(),
             lambda some: ground(some, task.scene, task.actions, world.relations),
+            shuts=task.scene.agent is not None,  # Who acts in a home leaves no fridge open.
         )
         if mended.program is not program:
             text = print_program(mended.program)

@@ -31,6 +31,17 @@ class SceneObject:
     properties: tuple[tuple[str, str], ...] = ()
     """Whatever else is known of it, by name: ``("material", "wood")``."""
 
+    @property
+    def number(self) -> int:
+        """How many it stands for, where it is a class of things."""
+        told = dict(self.properties).get("number", "")
+        return int(told) if told.isdecimal() else 1
+
+    def members(self) -> tuple[str, ...]:
+        """What each single one is called where it stands for several: ``plate 1``, ``plate 2``."""
+        number = self.number
+        return tuple(f"{self.name} {i + 1}" for i in range(number)) if number > 1 else ()
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scene:

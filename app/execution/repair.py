@@ -32,6 +32,8 @@ MAX_DEPTH = 4
 MAX_MISSING = 4
 """Preconditions of one call that are brought about one after the other."""
 
+WALKING = ("find", "walk")
+"""Calls that only bring somebody somewhere."""
 Ground = Callable[[Program], Plan]
 _T = TypeVar("_T")
 
@@ -48,7 +50,9 @@ class Repair:
     """The calls that were left out, in order."""
 
 
-def repair(program: Program, scene: Scene, perfect: World, ground: Ground) -> Repair:
+def repair(
+    program: Program, scene: Scene, perfect: World, ground: Ground, *, shuts: bool = False
+) -> Repair:
     """Run the program on a perfect executor, and put in what its steps lack.
 
     Where a step fails for a precondition whose remedy the world knows, the remedy's calls are put
@@ -60,11 +64,12 @@ def repair(program: Program, scene: Scene, perfect: World, ground: Ground) -> Re
         scene: which it is to be carried out in.
         perfect: the scene in the perfect executor, where the program begins; it is used up.
         ground: grounds a program in the scene.
+        shuts: whether what a remedy opened is closed again once the next step can do so.
 
     Raises:
         ProgramRefused: with its loops and helpers written out the program is too long.
     """
-    repairing = _Repairing(perfect, ground)
+    repairing = _Repairing(perfect, ground, shuts=shuts)
     body = tuple(repairing.walk(unroll(program, scene)))
     if not repairing.changed:
         return Repair(program=program)
@@ -76,8 +81,11 @@ def repair(program: Program, scene: Scene, perfect: World, ground: Ground) -> Re
 
 
 class _Repairing:
-    def __init__(self, world: World, ground: Ground) -> None:
+    def __init__(self, world: World, ground: Ground, *, shuts: bool) -> None:
         self._world = world
+        self._shuts = shuts
+        self._opened: list[ActionCall] = []
+        """Remedies that opened something, which is open still."""
         self._ground = ground
         self.added: list[ActionCall] = []
         self.dropped: list[ActionCall] = []
@@ -86,7 +94,7 @@ class _Repairing:
     def walk(self, statements: Sequence[Statement]) -> list[Statement]:
         """The statements with what they lack; of a branch only the side that is taken is seen to."""
         found: list[Statement] = []
-        for statement in statements:
+        for place, statement in enumerate(statements, 1):
             match statement:
                 case ActionCall():
                     found += self._see_to(statement)
@@ -100,8 +108,44 @@ class _Repairing:
                     raise AssertionError("loops are unrolled before they are repaired")
                 case _:
                     assert_never(statement)
+            found += self._shut(statements[place:])
         silent = all(isinstance(each, Comment) for each in found)
         return [*found, Pass()] if silent and statements else found
+
+    def _shut(self, coming: Sequence[Statement]) -> list[Statement]:
+        """Closes what remedies opened, unless the next step takes it open."""
+        found: list[Statement] = []
+        for opening in tuple(self._opened):
+            before, call = self._world.save(), replace(opening, action="close")
+            step = self._step(call)
+            possible = isinstance(step, GroundedCall) and self._perform(step) is None
+            if possible and self._takes(opening, coming):
+                self._world.restore(before)
+                continue
+            self._opened.remove(opening)
+            if possible:
+                self.added.append(call)
+                found += [Comment(text="added, for it was closed before", line=call.line), call]
+        return found
+
+    def _takes(self, opening: ActionCall, coming: Sequence[Statement]) -> bool:
+        """Whether the next step that does more than walk asks for this remedy, as things stand."""
+        before = self._world.save()
+        try:
+            for statement in coming:
+                if isinstance(statement, Comment):
+                    continue
+                step = self._step(statement) if isinstance(statement, ActionCall) else None
+                if not isinstance(step, GroundedCall):
+                    return False
+                failure = self._perform(step)
+                if failure is not None:
+                    return opening in failure.remedy
+                if step.action not in WALKING:
+                    return False
+            return False
+        finally:
+            self._world.restore(before)
 
     def _side(self, branch: Branch) -> Branch:
         step = self._step(branch)
@@ -149,10 +193,11 @@ class _Repairing:
     def _tried(self, call: ActionCall) -> list[Statement] | None:
         """The call with what it lacks, done; None, and nothing done, where nothing helps."""
         before, added, dropped = self._world.save(), len(self.added), len(self.dropped)
+        opened = len(self._opened)
         found = self._with_remedies(call, MAX_DEPTH)
         if found is None:
             self._world.restore(before)
-            del self.added[added:], self.dropped[dropped:]
+            del self.added[added:], self.dropped[dropped:], self._opened[opened:]
         elif found != [call]:
             self.changed = True
         return found
@@ -188,6 +233,8 @@ class _Repairing:
             if found is None:
                 return None
             self.added.append(call)
+            if self._shuts and call.action == "open":
+                self._opened.append(call)
             done += found
         return done
 

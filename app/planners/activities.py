@@ -10,13 +10,19 @@ from app.domain.planner import Draft, Report, Task
 from app.domain.program import ActionCall, Comment, Pass, Program, Statement
 from app.llm.meaning import likeness
 from app.planners import planners
-from app.programs.activities import Activity, Home, load_activities
+from app.programs.activities import Activity, load_activities
+from app.programs.home import Home
+from app.programs.home_answers import not_to_be_done, plainly_possible
+from app.programs.home_dialogue import retold, spoken_of, undoing
+from app.programs.home_members import HomeMembers, without_room
 from app.programs.home_selection import HomeSelection
 from app.programs.printer import print_program
 from app.programs.sketches.composer import Composer, Composition
+from app.programs.sketches.dialogue import asks_to_undo
 from app.programs.sketches.grammar import sketch_grammar
 from app.programs.sketches.parser import parse_sketch
 from app.programs.sketches.prompt import STOP, write_sketch_prompt
+from app.programs.sketches.sketch import Decline
 from app.programs.sketches.wording import plain_english
 from app.programs.transcript import Transcript, sketch_request
 
@@ -49,6 +55,8 @@ class Activities:
                 kind="impossible",
             )
         asking = _Asking(task, model, report)
+        if task.history and (back := asks_to_undo(task.instruction.text)):
+            return asking.draft(asking.undoing(back["what"]), asking.transcript.completion(), 1.0)
         completion = asking.ask(())
         try:
             composed, unsuited = asking.understood(completion)
@@ -59,20 +67,13 @@ class Activities:
                 composed, more = asking.understood(completion)
                 unsuited = (unsuited | more) if more else more
             asking.transcript.wrote(completion.text)
-            body = tuple(asking.carried_out(composed.body))
+            return asking.draft(composed.body, completion, composed.sureness)
         except ProgramRefused as refused:
             reason = f"what the model {model.name} wrote is no sketch: {refused}"
             raise asking.transcript.failure(reason) from refused
         except TaskDeclined as declined:
             declined.prompt, declined.completion = asking.transcript.prompt, completion
             raise
-        program = Program(name=task.instruction.function_name, body=body)
-        return Draft(
-            prompt=asking.transcript.prompt,
-            completion=completion,
-            program=print_program(program),
-            confidence=composed.sureness,
-        )
 
     def preamble(self, world: str, actions: Sequence[ActionSignature]) -> str:
         """The import line, which all its prompts begin with."""
@@ -91,17 +92,38 @@ class _Asking:
             each.signature.name: each for each in load_activities(task.scene.world)
         }
         self._signatures = tuple(each.signature for each in self._known.values())
-        self._sentence = plain_english(task.instruction.text, task.scene.names)
-        prompt = write_sketch_prompt(self._sentence, self._signatures, task.history)
+        self._offered = frozenset(each.name for each in task.actions)
+        self._members = HomeMembers(
+            task.scene.objects, task.rehearsal().holds if task.rehearsal else None
+        )
+        told = retold(task.instruction.text, task.history, self._members)
+        self._as_said = told == task.instruction.text
+        self._sentence = plain_english(told, task.scene.names)
+        self._asked = without_room(task.scene.objects, self._sentence)
+        prompt = write_sketch_prompt(self._asked, self._signatures, task.history)
         self.transcript = Transcript(task.options.name, model, prompt, report)
-        self._home = Home(task.scene.objects, feedback=task.options.feedback)
+        self._home = Home(
+            task.scene.objects,
+            self._members,
+            feedback=task.options.feedback,
+            sentence=self._sentence,
+            offered=self._offered,
+        )
         self._here = _room(task)
         self._selection = self._looking()
 
     def _looking(self) -> HomeSelection:
         task = self._task
-        sentence, here = task.instruction.text, self._here
-        return HomeSelection(task.scene.objects, task.facts, sentence, likeness, here)
+        selection = HomeSelection(
+            task.scene.objects,
+            task.facts,
+            task.instruction.text if self._as_said else self._sentence,
+            likeness,
+            self._here,
+            self._members,
+        )
+        selection.earlier = spoken_of(task.history, self._members)
+        return selection
 
     def ask(self, unsuited: Collection[str]) -> Completion:
         """A sketch of the activities that the sentence may mean, without these."""
@@ -111,7 +133,9 @@ class _Asking:
             if name not in unsuited and each.may_be_meant(self._sentence)
         ]
         plainly = any(not each.parameters and self._known[each.name].said_with for each in meant)
-        grammar = sketch_grammar(meant, self._sentence, declines=not plainly)
+        plainly = plainly or plainly_possible(self._task.scene.objects, self._sentence)
+        earlier = spoken_of(self._task.history, self._members)
+        grammar = sketch_grammar(meant, self._asked, earlier, declines=not plainly)
         return self.transcript.ask(
             sketch_request(self._task.options, self._model, self.transcript.prompt, STOP, grammar)
         )
@@ -124,9 +148,10 @@ class _Asking:
             TaskDeclined: something is absent or impossible.
         """
         self._selection = self._looking()
-        composed = Composer(self._selection, self._signatures).compose(
-            parse_sketch(completion.text)
-        )
+        sketch = parse_sketch(completion.text)
+        if any(isinstance(each, Decline) for each in sketch.body):
+            raise TaskDeclined(not_to_be_done(self._task.scene.objects), kind="impossible")
+        composed = Composer(self._selection, self._signatures).compose(sketch)
         unsuited = {
             call.action
             for call in composed.body
@@ -135,19 +160,52 @@ class _Asking:
         }
         return composed, frozenset(unsuited)
 
-    def carried_out(self, body: Sequence[Statement]) -> Iterator[Statement]:
-        """The primitives of the calls, each sub-task under its comment.
+    def undoing(self, what: str | None) -> list[ActionCall]:
+        """The activities that take back what the turn before did.
+
+        Raises:
+            TaskDeclined: there is nothing to take back.
+        """
+        return undoing(self._task.history, self._task.scene.objects, self._members, what)
+
+    def draft(self, body: Sequence[Statement], completion: Completion, sureness: float) -> Draft:
+        """The activities carried out in the home, as a function.
 
         Raises:
             TaskDeclined: the home lacks something that an activity takes.
         """
-        for statement in body:
-            if isinstance(statement, ActionCall):
-                activity = self._known[statement.action]
-                yield from self._home.carry_out(activity, self._names(statement))
-            elif not isinstance(statement, Comment):
-                yield statement
-        yield self._home.done() if body else Pass()
+        statements = tuple(self._carried_out(body))
+        program = Program(name=self._task.instruction.function_name, body=statements)
+        return Draft(
+            prompt=self.transcript.prompt,
+            completion=completion,
+            program=print_program(program),
+            confidence=sureness,
+        )
+
+    def _carried_out(self, body: Sequence[Statement]) -> Iterator[Statement]:
+        """The primitives of the calls, each sub-task under its comment."""
+        calls = [each for each in body if isinstance(each, ActionCall)]
+        for call in calls:
+            self._demand_actions(self._known[call.action])
+        needless = [self._home.needless(self._known[e.action], self._names(e)) for e in calls]
+        if len({call.action for call in calls}) > 1 and not all(needless):
+            needless = [None] * len(calls)  # What is so now may not be when its turn comes.
+        for call, reason in zip(calls, needless, strict=True):
+            if reason is None:
+                yield from self._home.carry_out(self._known[call.action], self._names(call))
+            else:
+                yield Comment(text=f"nothing to do: {reason}")
+        yield Pass() if all(needless) else self._home.done()
+
+    def _demand_actions(self, activity: Activity) -> None:
+        """Raises TaskDeclined: without an action that is not on offer it would do nothing."""
+        for missing in sorted(activity.needs - self._offered):
+            raise TaskDeclined(
+                f"to {activity.signature.name.replace('_', ' ')} takes the action {missing!r}, "
+                f"which is not on offer: name it among the scene's actions, beside the others",
+                kind="impossible",
+            )
 
     def _names(self, call: ActionCall) -> list[str]:
         return [self._selection.class_name(str(each)) for each in call.arguments]

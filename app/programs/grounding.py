@@ -63,6 +63,9 @@ class _Grounding:
         relations: Mapping[str, int] | None,
     ) -> None:
         self._names = frozenset(scene.names)
+        # Only where somebody acts in a home an object stands for all of its class.
+        of_classes = scene.objects if scene.agent is not None else ()
+        self._single = frozenset(name for item in of_classes for name in item.members())
         self._agent = scene.agent
         self._actions = {action.name: action for action in actions}
         self._relations = relations
@@ -188,7 +191,7 @@ class _Grounding:
         return None
 
     def _name_fault(self, name: str) -> str | None:
-        if name in self._names:
+        if name in self._names or name in self._single:
             return None
         return f"there is no object {name[:80]!r} in the scene{self._hint(name)}"
 

@@ -111,9 +111,9 @@ def grounded(program):
     return ground(program, SCENE, ACTIONS, {"closed": 1, "on": 2})
 
 
-def repaired(*lines, closed=("fridge", "safe"), above=""):
+def repaired(*lines, closed=("fridge", "safe"), above="", shuts=False):
     program = parse_program("\n".join([above, "def f():", *(f"    {line}" for line in lines)]))
-    return repair(program, SCENE, Kitchen(*closed), grounded), program
+    return repair(program, SCENE, Kitchen(*closed), grounded, shuts=shuts), program
 
 
 def calls(program):
@@ -219,3 +219,20 @@ def test_no_more_than_so_many_calls_are_added():
     assert len(found.added) == MAX_ADDED
     steps = grounded(found.program).steps
     assert sum(isinstance(each, GroundedCall) for each in steps) == 2 * (MAX_ADDED + 5) + MAX_ADDED
+
+
+def test_what_a_remedy_opened_is_closed_again():
+    found, _ = repaired("grab('milk')", "grab('key')", closed=("fridge",), shuts=True)
+    wanted = ["open('fridge')", "grab('milk')", "close('fridge')", "grab('key')"]
+    assert calls(found.program) == wanted
+
+
+def test_it_stays_open_for_a_step_that_takes_it_so():
+    found, _ = repaired("grab('milk')", "grab('milk')", closed=("fridge",), shuts=True)
+    wanted = ["open('fridge')", "grab('milk')", "grab('milk')", "close('fridge')"]
+    assert calls(found.program) == wanted
+
+
+def test_what_the_program_itself_opened_stays_open():
+    found, program = repaired("open('fridge')", "grab('milk')", shuts=True)
+    assert found.program is program

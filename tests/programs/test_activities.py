@@ -12,8 +12,9 @@ from app.domain.trace import ActionFailed, CallSkipped
 from app.execution.interpreter import execute
 from app.execution.repair import repair
 from app.programs import activities
-from app.programs.activities import Home, load_activities
+from app.programs.activities import load_activities
 from app.programs.grounding import ground
+from app.programs.home import Home
 from app.programs.parser import parse_program
 from app.programs.printer import print_program
 from app.worlds import worlds

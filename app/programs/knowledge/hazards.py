@@ -38,6 +38,11 @@ class Hazard:
     harmless_classes: tuple[ThingClass, ...]
     reason: str
 
+    @property
+    def of_toys(self) -> bool:
+        """Whether it speaks of toys as well."""
+        return any(each.name == "toy" for each in self.thing_classes)
+
     def meets(self, thing: str, place: str) -> bool:
         """Whether putting the thing to the place is what the rule speaks of."""
         return (
@@ -51,9 +56,10 @@ class Hazard:
 
 def hazard(thing: str, place: str) -> Hazard | None:
     """The first rule against putting the thing in, on or towards the place."""
-    if _likeness(thing):
-        return None
-    return next((rule for rule in hazards() if rule.meets(thing, place)), None)
+    toy = _likeness(thing)
+    # A toy knife cuts nobody, but it melts as any toy does, if not in a toy oven.
+    rules = [r for r in hazards() if not toy or (r.of_toys and not _likeness(place))]
+    return next((rule for rule in rules if rule.meets(thing, place)), None)
 
 
 @cache

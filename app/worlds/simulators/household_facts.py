@@ -29,9 +29,10 @@ def holds(agent: HouseholdAgent, relation: Relation) -> bool:
     if len(relation.arguments) != 2 or relation.name not in _EDGE:
         return False
     (one, other), edge = relation.arguments, _EDGE[relation.name]
+    places = set(graph.named(other))
     for node in graph.named(one):
         found = _within(graph, node) if edge == "INSIDE" else graph.targets(node, edge)
-        if any(each.name == other for each in found):
+        if any(each in places for each in found):
             return True
     return False
 

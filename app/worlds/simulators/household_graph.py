@@ -1,6 +1,7 @@
 """HouseholdGraph: the things of a home with their states, and how they stand to one another."""
 
 import json
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
@@ -74,8 +75,12 @@ class HouseholdGraph:
         return self._named
 
     def named(self, name: str) -> tuple[Node, ...]:
-        """All of this class."""
-        return self._named.get(name, ())
+        """All of this class; of ``plate 2`` only the second one."""
+        found = self._named.get(name)
+        if found is None and (numbered := _NUMBERED.fullmatch(name)):
+            place = int(numbered["number"]) - 1
+            found = self._named.get(numbered["name"], ())[place : place + 1]
+        return found or ()
 
     def targets(self, source: Node, relation: str) -> list[Node]:
         """What ``source`` is so related to, by ascending id."""
@@ -176,3 +181,4 @@ class HouseholdGraph:
 
 
 _NONE: set[int] = set()
+_NUMBERED = re.compile(r"(?P<name>.+) (?P<number>[1-9][0-9]{0,3})")

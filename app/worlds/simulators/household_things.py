@@ -21,6 +21,8 @@ def _described(graph: HouseholdGraph, name: str) -> SceneObject:
     rooms = {room.name for node in nodes if (room := graph.room_of(node)) and room is not node}
     if rooms:
         properties.append(("room", " ".join(sorted(rooms))))
+    if places := [place for node in nodes if (place := _place(graph, node))]:
+        properties.append(("place", " ".join(places)))
     if len(nodes) > 1:
         properties.append(("number", str(len(nodes))))
     return SceneObject(
@@ -30,6 +32,15 @@ def _described(graph: HouseholdGraph, name: str) -> SceneObject:
         container=bool(first.properties & _HOLDING),
         properties=tuple(properties),
     )
+
+
+def _place(graph: HouseholdGraph, node: Node) -> str:
+    """What it is inside of or on, of what can be taken: "it was in the fridge"."""
+    if "GRABBABLE" not in node.properties:
+        return ""
+    around = (*graph.targets(node, "INSIDE"), *graph.targets(node, "ON"))
+    inner = [each for each in around if not each.is_room]
+    return inner[0].name if inner else "floor"
 
 
 def _ways(name: str) -> set[str]:

@@ -9,5 +9,6 @@ def cut(food):
     grab('cutleryknife | knife')
     grab(food)
     # cut the {food}
+    cut(food)
     put(food, 'cuttingboard | kitchencounter | kitchentable')
     put('cutleryknife | knife', 'cuttingboard | kitchencounter | kitchentable')

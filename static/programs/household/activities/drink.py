@@ -1,5 +1,6 @@
-"""Drink something: it is in the hand, with a glass.
+"""Drink something, from the hand.
 
+Needs: drink.
 Said with: drink, sip, have, glass, thirsty.
 """
 
@@ -7,3 +8,5 @@ Said with: drink, sip, have, glass, thirsty.
 def drink(drink):
     # grab the {drink}
     grab(drink)
+    # drink the {drink}
+    drink(drink)

@@ -9,3 +9,4 @@ def eat_on(food, seat):
     grab(food)
     # sit down to eat the {food}
     sit(seat)
+    eat(food)

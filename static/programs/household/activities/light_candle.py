@@ -1,6 +1,6 @@
 """Light a candle.
 
-Said with: light, lit, alight, burn, match, candle.
+Said with: candle, candles, alight, burn, match.
 """
 
 

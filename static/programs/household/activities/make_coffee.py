@@ -5,8 +5,11 @@ Said with: coffee, caffeine.
 
 
 def make_coffee():
+    # put a cup under the coffee maker
+    grab('mug | cup | coffeecup ?')
+    put('mug | cup | coffeecup ?', 'coffeemaker | kitchencounter | kitchentable')
     # start the coffee maker
     switchon('coffeemaker | coffeepot | kettle')
-    # have a cup and the coffee at hand
+    # take the coffee
     grab('coffeepot ?')
     grab('mug | cup | coffeecup ?')

@@ -1,5 +1,6 @@
 """Cool food in the fridge.
 
+Not said with: am cold, i'm cold, feel cold, feeling cold, it is cold, it's cold, so cold, cold in.
 Said with: fridge, refrigerator, refrigerate, cool, chill, cold, spoil.
 """
 
