@@ -118,7 +118,7 @@ class _Repairing:
         for opening in tuple(self._opened):
             before, call = self._world.save(), replace(opening, action="close")
             step = self._step(call)
-            possible = isinstance(step, GroundedCall) and self._perform(step) is None
+            possible = isinstance(step, GroundedCall) and not self._perform(step)
             if possible and self._takes(opening, coming):
                 self._world.restore(before)
                 continue
@@ -138,11 +138,10 @@ class _Repairing:
                 step = self._step(statement) if isinstance(statement, ActionCall) else None
                 if not isinstance(step, GroundedCall):
                     return False
-                failure = self._perform(step)
-                if failure is not None:
+                if failure := self._perform(step):
                     return opening in failure.remedy
                 if step.action not in WALKING:
-                    return False
+                    break
             return False
         finally:
             self._world.restore(before)
@@ -192,8 +191,8 @@ class _Repairing:
 
     def _tried(self, call: ActionCall) -> list[Statement] | None:
         """The call with what it lacks, done; None, and nothing done, where nothing helps."""
-        before, added, dropped = self._world.save(), len(self.added), len(self.dropped)
-        opened = len(self._opened)
+        before, opened = self._world.save(), len(self._opened)
+        added, dropped = len(self.added), len(self.dropped)
         found = self._with_remedies(call, MAX_DEPTH)
         if found is None:
             self._world.restore(before)
