@@ -57,6 +57,7 @@ class PerfectTabletop:
         self.relations = tabletop.relations
         self.catalogue = tabletop.catalogue
         self.complete = tabletop.complete
+        self.model = tabletop.model
         self.moves = False
         self.feedback = False
         self.planner = "progprompt"
