@@ -58,6 +58,7 @@ class PerfectTabletop:
         self.environments = tabletop.environments
         self.catalogue = tabletop.catalogue
         self.complete = tabletop.complete
+        self.model = tabletop.model
         self.moves = False
         self.feedback = False
         self.planner = "progprompt"

@@ -6,8 +6,7 @@ from app.storage import executions, frames
 from app.storage.database import Database
 from app.storage.documents import read_scene
 from app.view.source import NoMotion
-from app.worlds import household, worlds
-from app.worlds.simulators.mujoco.scene_builder import build
+from app.worlds import worlds
 
 
 class StoredRollout:
@@ -26,11 +25,9 @@ class StoredRollout:
         if not worlds[self._scene.world].moves:
             raise NoMotion(execution_id)
 
-    def model(self):  # noqa: ANN201 - MuJoCo's types stay out of this room
-        """The compiled scene."""
-        if self._scene.world == household.Household.name:
-            return household.compile_model(self._scene)
-        return build(self._scene).model
+    def model(self) -> object:
+        """The scene as its world has it drawn."""
+        return worlds[self._scene.world].model(self._scene)
 
     def frames(self, after: int) -> np.ndarray:
         """The frames but for the first ``after``: time [s] and qpos, shape (n, 1 + nq)."""

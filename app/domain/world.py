@@ -103,7 +103,7 @@ class WorldDescription(Protocol):
     relations: dict[str, int]
     """The relations it can decide, with their number of arguments."""
     moves: bool
-    """Whether its rollouts have frames of a simulated model to show."""
+    """Whether its rollouts have frames of a model to show."""
     feedback: bool
     """Whether its example programs hold assertions unless asked otherwise, as in the paper."""
     planner: str
@@ -125,6 +125,14 @@ class WorldDescription(Protocol):
 
         Raises:
             SceneRefused: it cannot be built; every fault names its field.
+        """
+        ...
+
+    def model(self, scene: Scene) -> object:
+        """What is drawn of its rollouts, where it ``moves``: a model of the completed scene.
+
+        Its coordinates are the positions of the frames. What it is beyond that is known to whoever
+        makes it and to whoever draws it (a ``mujoco.MjModel``), not here.
         """
         ...
 

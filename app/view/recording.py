@@ -5,9 +5,15 @@ import numpy as np
 
 from app.view.live import Drawing
 from app.view.quiet import open_server
+from app.view.source import RolloutSource, model_of
 
 RATE = 30.0
 """Pictures a second; frames in between are left out [1/s]."""
+
+
+def record_rollout(source: RolloutSource) -> bytes:
+    """The bytes of a ``.viser`` file of all there is of a rollout so far."""
+    return record(model_of(source), source.frames(0))
 
 
 def record(model: mujoco.MjModel, frames: np.ndarray) -> bytes:

@@ -19,8 +19,8 @@ READ_EVERY = 0.1
 class RolloutSource(Protocol):
     """One rollout in the store, finished or still growing."""
 
-    def model(self) -> mujoco.MjModel:
-        """The compiled scene; called once."""
+    def model(self) -> object:
+        """The scene as its world has it drawn; called once."""
         ...
 
     def frames(self, after: int) -> Frames:
@@ -32,11 +32,23 @@ class RolloutSource(Protocol):
         ...
 
 
+def model_of(source: RolloutSource) -> mujoco.MjModel:
+    """The model that its frames are poses of.
+
+    Raises:
+        TypeError: its world has something drawn that is no such model.
+    """
+    model = source.model()
+    if not isinstance(model, mujoco.MjModel):
+        raise TypeError(f"{type(model).__name__} is drawn nowhere; a MuJoCo model is wanted")
+    return model
+
+
 class Footage:
     """The frames of one rollout as far as they are known; all who watch it share one."""
 
     def __init__(self, source: RolloutSource) -> None:
-        self.model = source.model()
+        self.model = model_of(source)
         self.finished = False
         self._source = source
         self._rows: Frames = np.empty((0, 1 + self.model.nq))

@@ -117,6 +117,10 @@ class Household:
         """
         return self._homes.graph(scene)
 
+    def model(self, scene: Scene) -> mujoco.MjModel:
+        """The home with the character in it; its ``qpos`` are the frames' positions."""
+        return HomeModel(self.graph(scene)).compile()
+
     def open(self, scene: Scene, seed: int, perception: Perception = _KNOWN) -> "HouseholdWorld":
         """A world with this scene in it, and with frames of what it looks like."""
         del perception  # The graph is known.
@@ -228,10 +232,3 @@ class HouseholdWorld:
         self._time = 0.0
         if self._film is not None:
             self._film.rewind()
-
-
-def compile_model(scene: Scene) -> mujoco.MjModel:
-    """The model of a completed scene, whose ``qpos`` the frames are."""
-    household = worlds["household"]
-    assert isinstance(household, Household)
-    return HomeModel(household.graph(scene)).compile()

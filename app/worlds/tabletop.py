@@ -75,6 +75,10 @@ class Tabletop:
         """The scene with kinds, sizes, colours and places for all objects."""
         return complete(scene, seed)
 
+    def model(self, scene: Scene) -> mujoco.MjModel:
+        """The table with the arm and what stands on it; its ``qpos`` are the frames' positions."""
+        return build(scene).model
+
     def open(
         self, scene: Scene, seed: int, perception: Perception = DEFAULT_PERCEPTION
     ) -> "TabletopWorld":
@@ -175,11 +179,6 @@ class TabletopWorld:
     def begin(self) -> None:
         """Call it time 0: what follows is a rollout of its own."""
         self.physics.rewind()
-
-
-def compile_model(scene: Scene) -> mujoco.MjModel:
-    """The model of a completed scene, whose ``qpos`` the frames are."""
-    return build(scene).model
 
 
 def _affordances(built: BuiltScene, relations: Relations) -> frozenset[Relation]:

@@ -3,6 +3,7 @@
 import pytest
 
 from app.api.rollouts import StoredRollout
+from app.view.source import model_of
 
 PROGRAM = """def bring_the_juice_to_the_nightstand():
     find('fridge')
@@ -45,7 +46,7 @@ def test_a_program_runs_in_a_ready_made_home_and_is_to_be_seen(carried_out, part
     rollout = StoredRollout(parts.database, done["id"])
     frames = rollout.frames(0)
     assert len(frames) > 20
-    assert frames.shape[1] == 1 + rollout.model().nq
+    assert frames.shape[1] == 1 + model_of(rollout).nq
 
 
 def test_a_home_of_ones_own_is_taken_as_virtualhome_writes_it(carried_out):

@@ -6,7 +6,8 @@ import pytest
 
 from app.domain.scene import Scene
 from app.view.live import CAMERA_FOV, CAMERA_POSITION, CAMERA_TARGET, view_of
-from app.worlds import household, worlds
+from app.worlds import worlds
+from app.worlds.household import Household
 
 
 def test_model_without_a_camera_is_seen_as_the_tabletop():
@@ -28,7 +29,7 @@ def test_camera_of_a_model_looks_at_the_floor_in_the_middle_of_its_picture():
 @pytest.mark.parametrize("environment", ["env0", "env1", "env2"])
 def test_whole_home_is_in_its_cameras_picture(environment):
     scene = worlds["household"].complete(Scene(world="household", environment=environment), 0)
-    model = household.compile_model(scene)
+    model = Household().model(scene)
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     camera = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_CAMERA, "watcher")

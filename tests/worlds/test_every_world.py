@@ -1,8 +1,8 @@
+import mujoco
 import pytest
 
 from app.domain.scene import Scene, SceneObject
 from app.worlds import worlds
-from app.worlds.tabletop import compile_model
 
 
 @pytest.mark.parametrize("name", list(worlds))
@@ -25,7 +25,10 @@ def test_the_perfect_executor_starts_from_the_same_completed_scene(name):
 
 
 @pytest.mark.physics
-def test_frames_fit_the_model_the_viewer_compiles(tabletop, scene_of):
-    world = tabletop.open(scene_of(apple=(0.5, 0.2), bowl=(0.5, -0.2)), 0)
+@pytest.mark.parametrize("name", [name for name, world in worlds.items() if world.moves])
+def test_frames_fit_the_model_that_is_drawn(name):
+    scene = Scene(world=name, objects=tuple(SceneObject(name=n) for n in ("apple", "bowl")))
+    world = worlds[name].open(scene, 3)
     world.settle()
-    assert len(world.frames()[0].positions) == compile_model(world.scene).nq
+    drawn = mujoco.MjData(worlds[name].model(world.scene))
+    assert len(world.frames()[0].positions) == len(drawn.qpos)

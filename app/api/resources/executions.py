@@ -20,7 +20,7 @@ from app.storage import events, executions, frames, plans
 from app.storage.base import now
 from app.storage.events import EventRow
 from app.storage.executions import ExecutionRow
-from app.view.recording import record
+from app.view.recording import record_rollout
 
 router = APIRouter(prefix="/executions", tags=["executions"])
 
@@ -107,7 +107,7 @@ def read_frames(
 def read_recording(execution_id: str, parts: Using) -> Response:
     """A `.viser` file of the rollout so far, which plays in a browser."""
     rollout = StoredRollout(parts.database, execution_id)
-    data = record(rollout.model(), rollout.frames(0))
+    data = record_rollout(rollout)
     name = f'attachment; filename="{execution_id}.viser"'
     return Response(
         data, headers={"Content-Disposition": name}, media_type="application/octet-stream"

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from app.domain.scene import Scene
-from app.worlds.household import compile_model
+from app.worlds.household import Household
 from app.worlds.simulators.household_model import HomeModel
 
 CARRY = "find magazine; grab magazine; find desk; putback magazine desk"
@@ -31,13 +31,13 @@ def place_of(world, model, frame, name):
 def test_frames_fit_the_model_and_begin_as_the_home_stands(environment, filmed):
     world = filmed(environment)
     (first,) = world.frames()
-    model = compile_model(world.scene)
+    model = Household().model(world.scene)
     assert len(first.positions) == model.nq
     assert first.time == 0.0
 
 
 def test_a_home_without_boxes_is_laid_out(home, small_home):
-    model = compile_model(home.scene)
+    model = Household().model(home.scene)
     assert model.nq == len(home.frames()[0].positions)
     layout = HomeModel(home.graph).layout
     cup, table = (layout.solids[home.graph.named(name)[0].id] for name in ("cup", "table"))
@@ -49,7 +49,7 @@ def test_what_is_put_on_something_ends_on_it(filmed, do):
     world = filmed()
     do(world, CARRY)
     frames = world.frames()
-    model = compile_model(world.scene)
+    model = Household().model(world.scene)
     home = HomeModel(world.graph)
     desk = home.layout.solids[world.graph.named("desk")[0].id]
     before, after = (place_of(world, model, frames[k], "magazine") for k in (0, -1))
@@ -62,7 +62,7 @@ def test_what_is_put_on_something_ends_on_it(filmed, do):
 def test_what_is_held_moves_with_the_agent(filmed, do):
     world = filmed()
     do(world, "find magazine; grab magazine")
-    model = compile_model(world.scene)
+    model = Household().model(world.scene)
     first = world.frames()[-1]
     do(world, "walk kitchen")
     frames = world.frames()
@@ -74,7 +74,7 @@ def test_what_is_held_moves_with_the_agent(filmed, do):
 
 def test_what_is_in_something_carried_is_carried_with_it(filmed, do):
     world = filmed("env2")
-    model = compile_model(world.scene)
+    model = Household().model(world.scene)
     do(world, "find apple; grab bowl; find washingmachine; putback bowl washingmachine")
     frames = world.frames()
     first, last = (
@@ -113,7 +113,7 @@ def test_doors_turn_and_lamps_rise(filmed, do):
 def test_who_sits_is_on_the_seat(filmed, do):
     world = filmed()
     do(world, "find sofa; sit sofa")
-    model = compile_model(world.scene)
+    model = Household().model(world.scene)
     home = HomeModel(world.graph)
     sofa = home.layout.solids[world.graph.named("sofa")[0].id]
     there = home.in_view(sofa.centre)
@@ -136,7 +136,7 @@ def test_a_film_catches_up_with_a_state_that_has_none(household, filmed, do):
     perfect, world = household.open_perfect(Scene(world="household"), 0), filmed()
     do(perfect, CARRY)
     world.restore(perfect.save())
-    model = compile_model(world.scene)
+    model = Household().model(world.scene)
     (frame,) = world.frames()
     home = HomeModel(world.graph)
     desk = home.layout.solids[world.graph.named("desk")[0].id]
