@@ -55,6 +55,10 @@ class HomeSelection(Selection):
         """What the world calls it."""
         return self._class_names[spoken]
 
+    def is_there(self, name: str) -> bool:
+        """Whether a class of things is called so, or a single one of it."""
+        return name in self._class_names
+
     def one(
         self,
         phrase: Phrase,

@@ -146,7 +146,7 @@ def test_a_mere_question_whether_to_stop_is_answered_and_not_told(database, make
     monkeypatch.setattr(planning_recorder, "FLUSH_INTERVAL", 0.0)
     assert not recorder.report(CompletionGrew(text=""))
     with database.transaction() as session:
-        plans.get(session, plan_id).cancel_requested = True
+        plans.get(session, plan_id).status = "cancelled"
     assert recorder.report(CompletionGrew(text=""))
     assert told(database, plan_id) == [CompletionGrew(text="pick")]
 

@@ -61,7 +61,6 @@ def refuse_ungrounded(call: ActionCall, signature: ActionSignature, selection: S
     Raises:
         TaskDeclined: it puts something "away", or where nothing of the scene is.
     """
-    there = {thing.name for thing in selection.things}
     for i, parameter in enumerate(signature.parameters):
         value = call.arguments[i]
         needs = i == 0 or parameter.role in ("container", "support") or parameter.name in TOOLS
@@ -70,7 +69,7 @@ def refuse_ungrounded(call: ActionCall, signature: ActionSignature, selection: S
                 f"no number tells the {parameter.name} of {call.action}", kind="impossible"
             )
         literal = parameter.name in SPOKEN or parameter.role in ("number", "word")
-        if literal or not needs or value in there:
+        if literal or not needs or selection.is_there(str(value)):
             continue
         thing = str(call.arguments[0])
         places = [t.name for t in selection.things if is_container(t) and t.name != thing]

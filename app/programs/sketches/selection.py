@@ -141,6 +141,10 @@ class Selection:
         spoken = r"\s+".join(map(re.escape, text.split()))
         return bool(re.search(rf"\b{_INDEFINITE}\s+{spoken}", self.sentence, re.I))
 
+    def is_there(self, name: str) -> bool:
+        """Whether a thing has exactly this name."""
+        return any(thing.name == name for thing in self.things)
+
     def absent(self, text: str) -> TaskDeclined:
         """Nothing in the scene fits."""
         return absent(text, self.things)
