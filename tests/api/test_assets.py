@@ -5,7 +5,7 @@ import pytest
 import trimesh
 from click.testing import CliRunner
 
-from app.cli.robot import command as robot
+from app.cli import main
 from app.storage.assets import lookup
 from app.worlds import worlds
 from app.worlds.simulators.mujoco import upload
@@ -67,10 +67,10 @@ def test_a_mesh_sent_in_millimetres_is_put_into_a_bowl_by_a_motion_a_real_arm_ma
     assert kept.status_code == 409
     assert client.get(f"/executions/{execution_id}/recording").status_code == 200
     service = ["--service", str(client.base_url), "--url", "ws://127.0.0.1:9"]
-    sent = CliRunner().invoke(robot, ["send", execution_id, *service])
+    sent = CliRunner().invoke(main, ["robot", "send", execution_id, *service])
     assert sent.exit_code == 0, sent.output
     assert "checked, not sent" in sent.output
-    lost = CliRunner().invoke(robot, ["send", execution_id, *service, "--live"])
+    lost = CliRunner().invoke(main, ["robot", "send", execution_id, *service, "--live"])
     assert lost.exit_code == 1
     assert "lost the robot" in lost.output
 

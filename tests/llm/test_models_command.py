@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 from click.testing import CliRunner
 
+from app.cli import main
 from app.cli import models as commands
-from app.cli.models import command
 from app.llm import models
 from app.llm.adapters import SHIPPED, adapters_in
 
@@ -14,7 +14,7 @@ from app.llm.adapters import SHIPPED, adapters_in
 @pytest.fixture
 def run(tmp_path, monkeypatch):
     monkeypatch.setenv("PROGPROMPT_CACHE", str(tmp_path))
-    return lambda *words: CliRunner().invoke(command, words)
+    return lambda *words: CliRunner().invoke(main, ["models", *words])
 
 
 @pytest.fixture
