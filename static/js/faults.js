@@ -53,7 +53,8 @@ export class Faults {
   /** What was said about the part that changed, or about a part that is gone, is no longer so. */
   changed(target) {
     if (!this.marks.length) return;
-    const settled = ({ place }) => place.contains(target) || !place.isConnected;
+    const whole = target.id === "scene-json"; // written anew, whatever part of the scene was wrong
+    const settled = ({ place }) => place.contains(target) || !place.isConnected || (whole && place.dataset.field.startsWith("scene"));
     this.marks.filter(settled).forEach(unmark);
     this.marks = this.marks.filter((mark) => !settled(mark));
     if (!this.marks.length && this.problem.textContent === MARKED) this.problem.hidden = true;

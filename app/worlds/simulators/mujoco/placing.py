@@ -13,7 +13,7 @@ from app.worlds.simulators.mujoco.collision import Collisions
 from app.worlds.simulators.mujoco.destination import Destination, Landing
 from app.worlds.simulators.mujoco.motion import free_path
 from app.worlds.simulators.mujoco.physics import Physics
-from app.worlds.simulators.mujoco.picking import CLEARANCE, TURNS, turned
+from app.worlds.simulators.mujoco.picking import CLEARANCE, SEARCHES, TURNS, turned
 
 Array = NDArray[np.float64]
 
@@ -57,6 +57,7 @@ class Placing:
         self._arm = collisions.arm
         self._rng = rng
         self._obstacles: Counter[str] = Counter()
+        self._pathless = 0
 
     def check_room(self, name: str, destination: Destination) -> None:
         """See, before it is picked up, whether there is room for the object.
@@ -82,6 +83,9 @@ class Placing:
             for gaps in GAPS:
                 for joints, hover, height in postures[:MOST]:
                     for gap in gaps:
+                        # Where several ways were looked for in vain, the next ones are as blocked.
+                        if self._pathless >= SEARCHES:
+                            raise self._failure(name, landings, postures, middle)
                         place = self._place(joints, hover, height + gap)
                         if place is not None:
                             return place
@@ -136,6 +140,7 @@ class Placing:
             self._rng,
         )
         if carry is None:
+            self._pathless += 1
             return None
         return Place(carry, lower, self._let_go(lower[-1]))
 
