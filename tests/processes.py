@@ -1,10 +1,22 @@
 """What processes there are, and waiting for what they do."""
 
+import signal
 import subprocess
 import time
 from pathlib import Path
 
+import pytest
+
 LIMIT = 60.0  # [s], generous: the machine may be busy with other things
+
+HUNG_UP = pytest.param(
+    signal.SIGHUP,
+    marks=pytest.mark.skipif(
+        signal.getsignal(signal.SIGHUP) == signal.SIG_IGN, reason="the tests run under nohup"
+    ),
+)
+ENDINGS = (signal.SIGINT, signal.SIGTERM, HUNG_UP, signal.SIGKILL)
+"""How a process may be ended."""
 
 
 def descendants(pid):

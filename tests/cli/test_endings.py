@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from tests.processes import LIMIT, descendants, runs, within_limit
+from tests.processes import ENDINGS, LIMIT, descendants, runs, within_limit
 
 QUICK = {"text": "    grab_and_putin('banana', 'bowl')\n"}
 FIRST = {**QUICK, "when": "put the banana in the bowl"}
@@ -42,7 +42,7 @@ def start(tmp_path):
         process.wait()
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize("number", ENDINGS)
 def test_an_evaluation_leaves_no_process_behind_and_can_be_gone_on_with(start, tmp_path, number):
     results = tmp_path / "out" / "results.jsonl"
     process = start(FIRST, STUCK)

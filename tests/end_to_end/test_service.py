@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from tests.processes import runs, within_limit
+from tests.processes import ENDINGS, runs, within_limit
 
 pytestmark = pytest.mark.physics
 
@@ -93,7 +93,7 @@ def test_a_service_killed_in_the_middle_keeps_everything_and_finishes_what_was_u
     assert service.wait(f"/plans/{plan['id']}", "succeeded", "failed")["status"] == "succeeded"
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL])
+@pytest.mark.parametrize("number", ENDINGS)
 def test_a_service_that_ends_leaves_no_worker_behind_and_says_so(service, number):
     if service.process.poll() is not None:
         service.start()
