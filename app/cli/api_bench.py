@@ -14,6 +14,7 @@ from contextlib import contextmanager
 import click
 import httpx
 
+from app.cli.endings import interrupted
 from app.evaluation.service_load import LoadRow, bench_request, http_request
 
 SCENE = {"objects": [{"name": name} for name in ("banana", "apple", "bowl", "plate")]}
@@ -38,7 +39,7 @@ def api(viewers: int, seconds: float, as_json: bool) -> None:
     is accepted when it is stored and queued.
     """
     rows: list[LoadRow] = []
-    with _service() as url:
+    with interrupted(), _service() as url:
         plan, film = _carried_out(url)
         reads = {"GET /plans/{id}": plan, "GET /executions/{id}": film, "GET /plans": "/plans"}
         requests = {name: http_request(url, "GET", path) for name, path in reads.items()}

@@ -15,6 +15,7 @@ import click
 from rich.console import Console
 
 from app.cli.client import ServiceClient
+from app.cli.endings import interrupted
 from app.cli.models import fetch
 from app.cli.plan import carry_out, well_ended
 
@@ -45,7 +46,7 @@ def command(
     options = [f"--port={port}", f"--model={model}"]
     if data_dir is not None:
         options.append(f"--data-dir={data_dir}")
-    with _service(options) as process, ServiceClient(url) as client:
+    with interrupted(), _service(options) as process, ServiceClient(url) as client:
         _wait_until_ready(process, client, console)
         request = json.loads(SCENE.read_text(encoding="utf-8"))
         asked = {key: request[key] for key in ("scene", "instruction", "goal")}

@@ -1,4 +1,4 @@
-"""However an evaluation ends: nothing it started goes on, and what it found is kept."""
+"""However a command ends: nothing it started goes on, and what an evaluation found is kept."""
 
 import json
 import os
@@ -58,3 +58,23 @@ def test_an_evaluation_leaves_no_process_behind_and_can_be_gone_on_with(start, t
     assert start(QUICK).wait(LIMIT) == 0
     assert results.read_text().startswith(kept)
     assert results.read_text().count("\n") == 4
+
+
+@pytest.mark.parametrize("words", [("demo", "--port=0", "--model=scripted"), ("bench", "api")])
+def test_a_command_that_is_asked_to_end_takes_its_service_with_it(tmp_path, words):
+    script = tmp_path / "script.json"
+    script.write_text(json.dumps([STUCK]))
+    places = {"PROGPROMPT_SCRIPTED": str(script), "XDG_DATA_HOME": str(tmp_path)}
+    process = subprocess.Popen(
+        [sys.executable, "-m", "app.cli", *words],
+        env=os.environ | places,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        started = within_limit(lambda: len(found := descendants(process.pid)) > 1 and found)
+        process.terminate()
+        process.wait(LIMIT)
+        within_limit(lambda: not any(map(runs, started)))
+    finally:
+        process.kill()
