@@ -1,30 +1,48 @@
 """Endings: whoever ends a command, it gets to leave in good order."""
 
+import os
 import signal
-from collections.abc import Iterator
+import sys
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
+from threading import Timer
 from types import FrameType
 
 ASKED = (signal.SIGTERM, signal.SIGHUP)
 """How an end is asked for: by whoever manages processes, and by a terminal that is closed."""
+AGAIN = 0.05  # [s]
 
 
 @contextmanager
 def interrupted() -> Iterator[None]:
     """What ends the process otherwise without a word is in here an interrupt, like Ctrl-C.
 
-    Signals that are ignored from the start, as under ``nohup``, stay so.
+    Signals that are ignored from the start, as under ``nohup``, stay so. An interrupt that comes
+    while Python clears something away, where exceptions end unheard, comes once more.
     """
     before = {number: signal.getsignal(number) for number in ASKED}
     heeded = [number for number, handler in before.items() if handler != signal.SIG_IGN]
     for number in heeded:
         signal.signal(number, _interrupt)
+    unheard = sys.unraisablehook
+    sys.unraisablehook = partial(_interrupt_again, otherwise=unheard)
     try:
         yield
     finally:
+        sys.unraisablehook = unheard
         for number in heeded:
             signal.signal(number, before[number])
 
 
 def _interrupt(_number: int, _frame: FrameType | None) -> None:
     raise KeyboardInterrupt
+
+
+def _interrupt_again(
+    lost: "sys.UnraisableHookArgs", otherwise: "Callable[[sys.UnraisableHookArgs], object]"
+) -> None:
+    if issubclass(lost.exc_type, KeyboardInterrupt):
+        Timer(AGAIN, os.kill, (os.getpid(), signal.SIGINT)).start()
+    else:
+        otherwise(lost)

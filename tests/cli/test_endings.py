@@ -5,9 +5,11 @@ import os
 import signal
 import subprocess
 import sys
+import time
 
 import pytest
 
+from app.cli.endings import interrupted
 from tests.processes import ENDINGS, LIMIT, descendants, runs, within_limit
 
 QUICK = {"text": "    grab_and_putin('banana', 'bowl')\n"}
@@ -78,3 +80,21 @@ def test_a_command_that_is_asked_to_end_takes_its_service_with_it(tmp_path, word
         within_limit(lambda: not any(map(runs, started)))
     finally:
         process.kill()
+        process.wait()
+
+
+class Clearing:
+    """Is asked to end while it is cleared away."""
+
+    def __del__(self):
+        signal.raise_signal(signal.SIGTERM)
+
+
+def asked_while_clearing():
+    Clearing()
+    time.sleep(LIMIT)
+
+
+def test_being_asked_to_end_while_something_is_cleared_away_is_not_lost():
+    with interrupted(), pytest.raises(KeyboardInterrupt):
+        asked_while_clearing()
