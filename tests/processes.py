@@ -9,13 +9,17 @@ import pytest
 
 LIMIT = 60.0  # [s], generous: the machine may be busy with other things
 
-HUNG_UP = pytest.param(
-    signal.SIGHUP,
-    marks=pytest.mark.skipif(
-        signal.getsignal(signal.SIGHUP) == signal.SIG_IGN, reason="the tests run under nohup"
-    ),
-)
-ENDINGS = (signal.SIGINT, signal.SIGTERM, HUNG_UP, signal.SIGKILL)
+
+def _unless_ignored(number):
+    """Whoever runs the tests may have it ignored: ``nohup`` one, a shell in the background another."""
+    ignored = signal.getsignal(number) == signal.SIG_IGN
+    return pytest.param(
+        number, marks=pytest.mark.skipif(ignored, reason=f"{number.name} is ignored")
+    )
+
+
+INTERRUPTED, HUNG_UP = map(_unless_ignored, (signal.SIGINT, signal.SIGHUP))
+ENDINGS = (INTERRUPTED, signal.SIGTERM, HUNG_UP, signal.SIGKILL)
 """How a process may be ended."""
 
 

@@ -26,7 +26,8 @@ def interrupted() -> Iterator[None]:
     for number in heeded:
         signal.signal(number, _interrupt)
     unheard = sys.unraisablehook
-    sys.unraisablehook = partial(_interrupt_again, otherwise=unheard)
+    if heeded:
+        sys.unraisablehook = partial(_interrupt_again, by=heeded[0], otherwise=unheard)
     try:
         yield
     finally:
@@ -40,9 +41,11 @@ def _interrupt(_number: int, _frame: FrameType | None) -> None:
 
 
 def _interrupt_again(
-    lost: "sys.UnraisableHookArgs", otherwise: "Callable[[sys.UnraisableHookArgs], object]"
+    lost: "sys.UnraisableHookArgs",
+    by: int,
+    otherwise: "Callable[[sys.UnraisableHookArgs], object]",
 ) -> None:
     if issubclass(lost.exc_type, KeyboardInterrupt):
-        Timer(AGAIN, os.kill, (os.getpid(), signal.SIGINT)).start()
+        Timer(AGAIN, os.kill, (os.getpid(), by)).start()
     else:
         otherwise(lost)
