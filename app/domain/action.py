@@ -27,6 +27,8 @@ class ActionSignature:
     parameters: tuple[Parameter, ...]
     meaning: str
     """One sentence, as the documentation shows it."""
+    said: str = ""
+    """What people say who want it done, as a regular expression; nothing where its name says it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -16,6 +16,9 @@ from app.worlds.simulators.mujoco.workcell import Workcell
 APART = 0.12
 """How far apart the middles of two objects are supposed to be, one put beside the other [m]."""
 
+BESIDE = r"\b(?:next to|beside|alongside|close to|near)\b"
+"""What people say of any of the four sides."""
+
 
 def effects_beside(facts: frozenset[Relation], item: str, side: str, reference: str) -> Effects:
     """The object stands on the table on that side of the reference and near it.

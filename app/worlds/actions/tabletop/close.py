@@ -11,5 +11,6 @@ class Close(Shutting):
         name="close",
         parameters=(Parameter(name="obj"),),
         meaning="Close obj, which has a drawer, a door or a lid.",
+        said=r"\b(?:close|shut)\b",
     )
     wanted, undone = "closed", "open"

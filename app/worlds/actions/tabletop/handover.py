@@ -21,6 +21,7 @@ class HandOver:
         name="handover",
         parameters=(Parameter(name="obj"),),
         meaning="Hand obj over: put it down in front of the person across the table.",
+        said=r"\b(?:hand|pass|give|bring|fetch|get|reach)\b.*\b(?:me|us|him|her)\b|\bhand .*over\b",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:

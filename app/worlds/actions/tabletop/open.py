@@ -11,5 +11,6 @@ class Open(Shutting):
         name="open",
         parameters=(Parameter(name="obj"),),
         meaning="Open obj, which has a drawer, a door or a lid.",
+        said=r"\bopen\b",
     )
     wanted, undone = "open", "closed"

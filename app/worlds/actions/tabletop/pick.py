@@ -20,6 +20,7 @@ class PickUp:
         name="pick",
         parameters=(Parameter(name="obj"),),
         meaning="Take obj into the gripper and hold it, for a verb that places it.",
+        said=r"\b(?:pick up|lift|hold)\b",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:

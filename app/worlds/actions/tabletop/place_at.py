@@ -25,6 +25,7 @@ class PlaceAt:
             Parameter(name="y", role="number"),
         ),
         meaning="Put obj on the table x metres ahead of the robot and y metres to its left.",
+        said=r"\b(?:swap|exchange|switch|back|off|out|undo|rückgängig)\b|\d",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:

@@ -5,7 +5,7 @@ import numpy as np
 from app.domain.action import ActionSignature, Effects, Parameter
 from app.domain.condition import Relation
 from app.domain.world import Stage
-from app.worlds.actions.beside import effects_beside, perform_beside
+from app.worlds.actions.beside import BESIDE, effects_beside, perform_beside
 from app.worlds.actions.tabletop import actions
 from app.worlds.simulators.mujoco.workcell import Workcell
 
@@ -18,6 +18,7 @@ class PlaceRightOf:
         name="place_right_of",
         parameters=(Parameter(name="obj"), Parameter(name="reference", role="support")),
         meaning="Put obj on the table to the right of reference, as the robot sees it.",
+        said=rf"\bright(?:[- ]hand)?(?: side)? of\b|{BESIDE}",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:

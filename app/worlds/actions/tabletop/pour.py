@@ -20,6 +20,7 @@ class Pour:
         name="pour",
         parameters=(Parameter(name="source"), Parameter(name="target", role="container")),
         meaning="Pour what is in source into target, and put source back.",
+        said=r"\b(?:pour|empty|fill)\b",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:

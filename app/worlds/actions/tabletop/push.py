@@ -34,6 +34,7 @@ class Push:
             Parameter(name="direction", role="word", words=tuple(DIRECTIONS)),
         ),
         meaning="Push obj about 10 cm over the table, to the left, right, forward or back.",
+        said=r"\b(?:push|shove|nudge|slide)\b",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:

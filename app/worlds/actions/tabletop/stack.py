@@ -26,6 +26,7 @@ class Stack:
         name="stack",
         parameters=(Parameter(name="obj"), Parameter(name="support", role="support")),
         meaning="Put obj onto the middle of support's top, to build a tower.",
+        said=r"\b(?:stack|pile|tower)\b",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:

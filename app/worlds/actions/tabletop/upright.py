@@ -20,6 +20,7 @@ class Upright:
         name="upright",
         parameters=(Parameter(name="obj"),),
         meaning="Put obj, which lies on its side, upright on the table.",
+        said=r"\bupright\b|\bstand .+ up\b",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:

@@ -25,6 +25,7 @@ class Wipe:
         name="wipe",
         parameters=(Parameter(name="obj"), Parameter(name="tool")),
         meaning="Wipe the top of obj with tool, a sponge or a cloth, and put tool back.",
+        said=r"\b(?:wipe|clean|scrub|polish|dust|mop|rub)\b",
     )
 
     def effects(self, facts: frozenset[Relation], *arguments: str) -> Effects:
