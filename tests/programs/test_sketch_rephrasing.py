@@ -82,6 +82,20 @@ from app.programs.sketches.rephrasing import rephrased
             "Of my two ties, the silk one goes in the box. The other needs washing.",
             "the silk tie goes in the box. the other tie needs washing.",
         ),
+        ("give the cart a bit of a push", "push the cart"),
+        (
+            "clear the files away, only the blue one stays where it is",
+            "clear the files away except the blue one",
+        ),
+        (
+            "The red glove goes in the bag. So does the other one, odd as it looks.",
+            "The red glove goes in the bag and the other one goes in the bag, odd as it looks.",
+        ),
+        ("poor the cream in the jug", "pour the cream in the jug"),
+        (
+            "I'm after a hot dog: sausage in the bun, onion on the sausage, mustard on the onion",
+            "sausage in the bun, onion on the sausage, mustard on the onion",
+        ),
     ],
 )
 def test_what_is_said_in_a_roundabout_way_is_read_plainly(said, plain):
@@ -97,6 +111,8 @@ def test_what_is_said_in_a_roundabout_way_is_read_plainly(said, plain):
         "give the knife to me",
         "Put all the fruit in the bowl. The lemon stays where it is.",
         "put these things in the box: the cup and the spoon on the left",
+        "My gloves are lying about again. Put them in the box.",
+        "the poor cat needs its bowl on the mat",
         "",
     ],
 )

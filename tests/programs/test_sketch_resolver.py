@@ -291,3 +291,22 @@ def test_things_go_by_what_they_hold_are_made_of_and_look_like(said, meant):
     }
     body, _ = resolve(parse_sketch(f"grab_and_putin({said}, 'tray')"), _task(properties))
     assert set(_ends(body)) == meant
+
+
+PUSH = ActionSignature(
+    name="push", parameters=(Parameter(name="obj1"), Parameter(name="obj2")), meaning=""
+)
+
+
+@pytest.mark.parametrize("made_up", ["hands are full", "push", "cart"])
+def test_a_push_that_nobody_aims_goes_towards_what_stands_next(made_up):
+    sentence = "push the cart, my hands are full"
+    told = f"push('cart', {made_up!r})"
+    assert _calls(told, ["cart", "doll"], sentence, actions=(PUSH,)) == ["push('cart', 'doll')"]
+
+
+def test_a_push_to_what_is_not_there_is_declined():
+    with pytest.raises(TaskDeclined, match="ramp"):
+        _calls(
+            "push('cart', 'ramp')", ["cart", "doll"], "push the cart to the ramp", actions=(PUSH,)
+        )

@@ -32,6 +32,8 @@ UNREAL = word_list("unreal")
 """Said before a noun, the thing is a likeness of it."""
 TOYLIKE = frozenset(("toy", "stuffed", "plush", "pretend"))
 """Said before a noun, the thing is a toy."""
+CUDDLY = frozenset(("stuffed", "plush", "cuddly"))
+"""Said before a noun, the thing is a stuffed animal."""
 PLAIN_ADJECTIVES = word_list("plain_adjectives")
 FIGURES = word_list("figures")
 """Said after a noun, the thing is a likeness of it."""
@@ -157,17 +159,24 @@ def belonging(name: str, kind: ThingClass) -> float:
     core = _core(name)
     if not core:
         return 0.0
-    if kind.name == "toy" and TOYLIKE & set(core) and normal(" ".join(core)) not in kind.never:
+    before = {"toy": TOYLIKE, "stuffed animal": CUDDLY}.get(kind.name, frozenset())
+    if before & set(core[:-1]) and normal(" ".join(core)) not in kind.never:
         return CERTAIN
     if kind.likenesses and len(core) > 1 and core[-1] in FIGURES:
         core = core[:-1]
-    direct = _by_endings(core, kind)
-    if not direct and len(core) > 1 and core[-1] in CUTS:
+    cut = len(core) > 1 and core[-1] in CUTS
+    direct = 0.0 if cut and _tells(core[:-1]) else _by_endings(core, kind)
+    if not direct and cut:
         direct = 0.9 * _by_endings(core[:-1], kind)
     if kind.contents and direct < LISTED:
         held = _contents(name, core)
         direct = max([direct, *(0.85 * _by_endings(each, kind) for each in held)])
     return direct
+
+
+def _tells(core: tuple[str, ...]) -> bool:
+    """Whether what is before a cut is known, and says of what it is cut: a salmon fillet is no meat."""
+    return any(known(normal(" ".join(core))) for known in (classes().knows, nouns().knows))
 
 
 @cache

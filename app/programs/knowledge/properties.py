@@ -60,37 +60,54 @@ FRUITY = frozenset(
 MATERIALS = {
     "wood": "wood",
     "wooden": "wood",
+    "oak": "oak",
+    "bamboo": "bamboo",
     "metal": "metal",
     "metallic": "metal",
-    "steel": "metal",
-    "iron": "metal",
-    "aluminum": "metal",
-    "aluminium": "metal",
-    "tin": "metal",
-    "brass": "metal",
-    "copper": "metal",
+    "steel": "steel",
+    "iron": "iron",
+    "aluminum": "aluminium",
+    "aluminium": "aluminium",
+    "tin": "tin",
+    "brass": "brass",
+    "bronze": "bronze",
+    "copper": "copper",
     "plastic": "plastic",
     "glass": "glass",
     "paper": "paper",
     "cardboard": "cardboard",
     "rubber": "rubber",
     "ceramic": "ceramic",
-    "porcelain": "ceramic",
-    "china": "ceramic",
-    "clay": "ceramic",
+    "porcelain": "porcelain",
+    "china": "porcelain",
+    "clay": "clay",
+    "terracotta": "clay",
     "leather": "leather",
+    "fabric": "cloth",
+    "cloth": "cloth",
+    "textile": "cloth",
     "cotton": "cotton",
-    "fabric": "cotton",
-    "cloth": "cotton",
+    "denim": "denim",
     "wool": "wool",
     "woolen": "wool",
     "woollen": "wool",
+    "woolly": "wool",
+    "silk": "silk",
     "stone": "stone",
     "foam": "foam",
     "wicker": "wicker",
-    "silk": "silk",
-    "denim": "cotton",
 }
+SORTS_OF = {
+    **dict.fromkeys(("oak", "pine", "bamboo", "plywood"), "wood"),
+    **dict.fromkeys(
+        ("steel", "iron", "aluminium", "tin", "brass", "bronze", "copper", "silver", "gold"),
+        "metal",
+    ),
+    **dict.fromkeys(("porcelain", "clay"), "ceramic"),
+    **dict.fromkeys(("cotton", "denim", "linen", "felt", "wool", "silk"), "cloth"),
+    "marble": "stone",
+}
+"""What a material is a sort of."""
 MADE_OF = {
     "wood": "wooden object",
     "metal": "metal object",
@@ -101,6 +118,7 @@ MADE_OF = {
     "rubber": "rubber object",
     "ceramic": "ceramic object",
     "leather": "leather object",
+    "cloth": "cotton object",
     "cotton": "cotton object",
     "wool": "wool object",
     "stone": "stone object",
@@ -198,7 +216,7 @@ def typical_size(name: str) -> float | None:
 
 def made_of(name: str, material: str) -> float:
     """How surely a thing of this name is made of the material as a rule."""
-    kind = MADE_OF.get(material)
+    kind = MADE_OF.get(material) or MADE_OF.get(SORTS_OF.get(material, ""))
     return belonging(name, classes().named(kind)) if kind else 0.0
 
 

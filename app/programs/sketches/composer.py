@@ -8,6 +8,7 @@ from app.domain.errors import Fault, ProgramRefused, TaskDeclined
 from app.domain.program import ActionCall, Argument, Comment, Statement
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.aiming import aimed
 from app.programs.sketches.arguments import Arguments
 from app.programs.sketches.course import Course
 from app.programs.sketches.members import Members
@@ -108,7 +109,7 @@ class Composer:
             message = f"{call.action} takes {len(signature.parameters)} arguments"
             raise ProgramRefused(Fault(field="program", message=message))
         refuse_beside(call, self._selection.sentence)
-        call = told_apart(call)
+        call = aimed(told_apart(call), signature, self._selection)
         call = righted(call, signature, self._selection.sentence)
         call = self._shared(in_order(call, signature, self._selection.sentence), signature)
         several = [i for i, each in enumerate(call.arguments) if self._several(each)]

@@ -13,16 +13,13 @@ from app.programs.knowledge.classes import normal
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
-from app.programs.sketches.towers import Mention, Pair
+from app.programs.sketches.towers import BARE, Mention, Pair
 
 FEWEST = 2
 """Containers of a list."""
 _KEEPING = word_list("keeping")
 """Words of a sentence in which some things stay."""
 
-
-_BARE = r"(?:(?<=the )|(?<=\ba )|(?<=an )|(?<=my )|(?<=, )|(?<=; )|(?<=: )|(?<=\. )|^)"
-"""What stands before a noun that is said without the rest of its name: "can" is more often a verb."""
 
 INTO = re.compile(r"\b(?:in|into|inside|on|onto|to)(?: the| an?| my| your)? $")
 """What stands before a place that something goes to."""
@@ -70,7 +67,7 @@ def _named(text: str, things: Sequence[Thing]) -> list[Mention]:
     spoken = last | whole
     longest = sorted(spoken, key=len, reverse=True)
     named = "|".join(
-        re.escape(each) if each in whole else _BARE + re.escape(each) for each in longest
+        re.escape(each) if each in whole else BARE + re.escape(each) for each in longest
     )
     return [
         Mention(match.start(), match.end(), spoken[match[0]])

@@ -9,6 +9,7 @@ from functools import lru_cache
 
 from app.programs.knowledge.classes import (
     HOLDERS,
+    PLAIN_ADJECTIVES,
     UNREAL,
     VAGUE,
     ThingClass,
@@ -118,7 +119,8 @@ def _loose_fit(thing: Thing, wanted: str, names: Sequence[str]) -> float:
     if set(said) <= set(had) and (holds or _holds(thing, wanted)):
         return MODIFIER
     stems, others = {stem(each) for each in said}, {stem(each) for each in thing.words}
-    if stems <= others and min(map(len, stems)) > 3 and not classes().knows(wanted):
+    known = classes().knows(wanted) and wanted not in PLAIN_ADJECTIVES
+    if stems <= others and min(map(len, stems)) > 3 and not known:
         return LOOSE
     return 0.0
 

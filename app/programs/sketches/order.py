@@ -48,7 +48,7 @@ def in_order(call: SketchCall, signature: ActionSignature, sentence: str) -> Ske
     if any(len(re.findall(rf"\b{re.escape(each)}\b", sentence, re.I)) > 1 for each in texts):
         return call  # Behind "on" it may stand as the place of something else.
     for kind, links in told[: 1 if _puts(call.action) else 2]:
-        behind = [_stands_behind(links, text, sentence) for text in texts]
+        behind = [stands_behind(text, sentence, links) for text in texts]
         if behind[0] != behind[1]:
             named = [parameter.name in kind for parameter in signature.parameters]
             oblique = 0 if named[0] and not named[1] else 1
@@ -61,7 +61,8 @@ def _puts(action: str) -> bool:
     return bool({"put", "putin", "place", "insert"} & set(words(action.replace("_", " "))))
 
 
-def _stands_behind(links: str, text: str, sentence: str) -> bool:
+def stands_behind(text: str, sentence: str, links: str = _PLACING) -> bool:
+    """Whether the words follow one of the links, "to the" ramp."""
     return bool(re.search(_BEFORE.format(links, re.escape(text)), sentence, re.I))
 
 

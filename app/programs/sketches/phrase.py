@@ -33,7 +33,7 @@ SIDES = {
     "upper": "top",
     "lower": "bottom",
 }
-_OF_SIDE = ("the", "hand", "side", "end", "far", "very")
+_OF_SIDE = ("the", "hand", "side", "end", "far", "very", "thing", "things", "one", "ones")
 """Words that a side is told with: "on the far right-hand side"."""
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "last": -1}
 _TAILS = (

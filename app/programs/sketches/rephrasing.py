@@ -17,11 +17,16 @@ _CORRECTION = re.compile(
 )
 """In the left basket, I mean, the rattan one."""
 _GIVEN = re.compile(
-    r"\bgive (?P<what>(?:the|my|your|that|this|both|all)\b[^,.;]*?) an? (?:\w+ )?"
+    r"\bgive (?P<what>(?:the|my|your|that|this|both|all)\b[^,.;]*?) an? (?:bit of an? )?(?:\w+ )??"
     r"(?P<deed>push|shove|nudge|prod|wipe|stir|shake|rinse|wash|pull|twist|polish|clean|brush|press)\b",
     re.I,
 )
 _DEEDS = {"shove": "push", "nudge": "push", "prod": "push"}
+_ONLY_STAYS = re.compile(
+    r"[,;]? (?:and |but )?(?:only|just) (?P<what>(?:the|my|that|this) [\w' -]+?) (?:can |should |must |may )?"
+    r"(?:stays?|remains?|(?:is|are|be) left)\b(?: (?:where|as) (?:it is|they are|it's|they're)| put| here| there| behind| out| alone)?",
+    re.I,
+)
 _ONLY = re.compile(r",? and only (?:the )?[\w-]+,?(?= )|, only (?:the )?\w+ ones?\b", re.I)
 _INTRODUCED = re.compile(
     r"^(?P<before>(?:.*[.!?:;] )?)(?:there(?: are|'re| is|'s)|here are|of (?:the|my|our|your|these|those)|"
@@ -41,6 +46,15 @@ _OTHER = re.compile(
 )
 
 
+_SO_DOES = re.compile(
+    r"(?P<goes> (?:goes|belongs?|go) (?P<where>(?:in|into|on|onto|inside) (?:the|my|that) [\w' -]+?))"
+    r"(?:[.;,] (?:and )?so (?:does|do|should|must)|[,;] as (?:does|do|should|must)) (?P<what>the [\w' -]+?)"
+    r"(?=[.,;!]|$)",
+    re.I,
+)
+"""The blue sock goes in the drawer. So does the grey one."""
+_SPILT = re.compile(r"\bpoor (?=(?:the|some|all|out|my)\b)", re.I)
+"""Nobody says "poor the milk" who does not want it poured."""
 _NEEDED = re.compile(
     r"(?P<what>\b(?:the|my|your|that|this) [\w' -]+?) (?:needs?|wants?|could do with)"
     r"(?: to be)? (?P<deed>opening|closing|shutting|pushing|emptying|opened|closed|shut|pushed)\b",
@@ -103,7 +117,7 @@ _SIDE_OF_ALL = re.compile(
 )
 """A side of what everything stands on is a side, and no thing."""
 _LYING = re.compile(
-    r",? (?:that(?:'s| is| are)?|which (?:is|are) )?\s*(?:just )?(?:lying|scattered|strewn|sitting|standing|left|spread|littered)"
+    r"(?<! is)(?<! are),? (?:that(?:'s| is| are)?|which (?:is|are) )?\s*(?:just )?(?:lying|scattered|strewn|sitting|standing|left|spread|littered)"
     r" (?:about|around|everywhere|all over(?: the (?:place|table|floor))?|here and there)\b",
     re.I,
 )
@@ -121,6 +135,10 @@ _INSIDE = re.compile(
     re.I,
 )
 _LISTED = re.compile(r"^(?P<before>[^:.!?]*\b(?P<last>\w+))\s*:\s+(?P<list>.+)$")
+_ORDERS = re.compile(
+    r"\b(?:stack|tower|pile|order|top|bottom|first|last|open|close|pour|push|all|every\w*)\b", re.I
+)
+"""What the list after the colon is told by."""
 _INTRODUCING = word_list("introducing")
 """Words before a colon that promise a list and say nothing themselves: "my things: …", "like so: …"."""
 STAYS = re.compile(
@@ -138,9 +156,11 @@ def rephrased(sentence: str) -> str:
     text = _HASTE.sub("", _HANDS_OFF.sub("leave", sentence))
     text = _LYING.sub("", text)
     text = _CORRECTION.sub(r"\1 ", _SIDE.sub(r"\1", _SIDE_OF_ALL.sub(r"\1", text)))
+    text = _SPILT.sub("pour ", _SO_DOES.sub(r"\g<goes> and \g<what> goes \g<where>", text))
     text = _GIVEN.sub(lambda found: f"{_deed(found['deed'])} {found['what']}", text)
     text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
-    text = _BAR.sub(" except ", _ONLY.sub("", _ASIDE.sub("", text)))
+    text = _ONLY_STAYS.sub(r" except \g<what>", _ASIDE.sub("", text))
+    text = _BAR.sub(" except ", _ONLY.sub("", text))
     text = _BAR_FIRST.sub("Except for ", text)
     text = _IF.sub(lambda found: f"everything {found['so']} {found['goes']}", text)
     text = _BOTH.sub(r"all the \1 \2 things", text)
@@ -175,10 +195,14 @@ def _need(word: str) -> str:
 def _listed(text: str) -> str:
     """Without what only announces a list of what goes where."""
     match = _LISTED.match(text)
-    if match is None or match["last"].lower() not in _INTRODUCING:
+    if match is None:
         return text
     placed = len(re.findall(rf"\b{_PLACING}\b", match["list"]))
     announces = not re.search(rf"\b{_PLACING} (?:the|my|a)\b", match["before"])
+    if match["last"].lower() not in _INTRODUCING and (
+        placed < 3 or _ORDERS.search(match["before"])
+    ):
+        return text
     return match["list"] if announces and placed > 1 else text
 
 

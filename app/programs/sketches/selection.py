@@ -52,6 +52,15 @@ _INDEFINITE = (
 )
 
 
+_ANY_WILL_DO = re.compile(
+    r"\b(?:one(?: thing| of them)?|just one|any(?: one)?(?: of them)?|either(?: one| of them)?) "
+    r"(?:is|will|would|'ll) (?:be )?(?:plenty|enough|sufficient|do|fine)\b|"
+    r"\b(?:doesn't|does not|don't|do not) (?:matter|mind|care) which\b|\bno matter which\b",
+    re.I,
+)
+"""One thing is plenty."""
+
+
 @dataclass(frozen=True, slots=True)
 class Found:
     """What a phrase means, and how sure that is."""
@@ -138,6 +147,8 @@ class Selection:
 
     def indefinite(self, text: str) -> bool:
         """Whether the sentence speaks of any one of several: "a cup", "one of the cups"."""
+        if _ANY_WILL_DO.search(self.sentence):
+            return True
         spoken = r"\s+".join(map(re.escape, text.split()))
         return bool(re.search(rf"\b{_INDEFINITE}\s+{spoken}", self.sentence, re.I))
 
@@ -192,7 +203,10 @@ class Selection:
 
     def _told_perhaps(self, described: Description, without: Collection[str]) -> Fits:
         """What the words are most like in meaning, where no knowledge covers them."""
-        found = self._qualified(described, self._meaning.perhaps(described, without), False)
+        perhaps = self._meaning.perhaps(described, without)
+        found = self._qualified(described, perhaps, False)
+        if not found and described.colours:  # A colour in passing: "golden stuff the bees make".
+            found = [(thing, score) for thing, score in perhaps if not thing.item.colour]
         return found or self._meaning.wished(described, without)
 
     def _nouns(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:

@@ -28,11 +28,24 @@ def really_said(phrase: Phrase, sentence: str, things: Sequence[Thing]) -> Phras
     """With the word for all of a kind that the sentence says, where the sketch has no more than "things"."""
     said = words(sentence)
     named = {word for thing in things for word in thing.words}
+    if vague_set(phrase) and (shared := _shared_by_names(said, things)):
+        return replace(phrase, text=shared)
     kinds = {each for each in said if each in COLLECTIVE - VAGUE - named}
-    vague = set(words(phrase.text)) <= VAGUE and phrase.quantity == "all" and not phrase.relations
-    if not vague or len(kinds) != 1 or set(said) & (VAGUE | _EVERYTHING):
+    if not vague_set(phrase) or len(kinds) != 1 or set(said) & (VAGUE | _EVERYTHING):
         return phrase
     return replace(phrase, text=kinds.pop())
+
+
+def vague_set(phrase: Phrase) -> bool:
+    """Whether it is of everything, as far as its words go."""
+    return set(words(phrase.text)) <= VAGUE and phrase.quantity == "all" and not phrase.relations
+
+
+def _shared_by_names(said: Sequence[str], things: Sequence[Thing]) -> str | None:
+    """The plural that is said of what several names begin with: the leftovers, ``leftover rice``."""
+    firsts = [thing.words[0] for thing in things if len(thing.words) > 1]
+    found = {each for each in said if normal(each) != each and firsts.count(normal(each)) > 1}
+    return found.pop() if len(found) == 1 else None
 
 
 _EVERYTHING = frozenset(("all", "whatever", "what", "it", "them", "lot", "both", "every", "each"))
@@ -74,6 +87,8 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
     """With the number that the sentence says before the words: "one of the eggs", "two eggs"."""
     if phrase.quantity != "all":
         return phrase
+    if phrase.count and phrase.count > 1 and _of_the_clock(phrase.count, sentence):
+        phrase = replace(phrase, count=None)
     if re.search(
         rf"\bboth (?:of )?(?:the |my |your |these |those )?{re.escape(phrase.text)}\b",
         sentence,
@@ -89,6 +104,20 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
     pattern = rf"(?<!every )(?<!each )\b({'|'.join(_NUMBERS)})\s+(?:(?:out )?of\s+(?:the|these|those|my|your)\s+(?:(?:{'|'.join(_NUMBERS)})\s+)?)?{spoken}\b"
     said = {_NUMBERS[each.lower()] for each in re.findall(pattern, sentence, re.I)}
     return replace(phrase, count=said.pop()) if len(said) == 1 else phrase
+
+
+def _of_the_clock(count: int, sentence: str) -> bool:
+    """Whether all that the sentence says of the number is a time or an age: "we fly at six"."""
+    names = "|".join(name for name, value in _NUMBERS.items() if value == count)
+    if not names:
+        return False
+    told = rf"\b(?:{names})\b"
+    timed = (
+        rf"\b(?:at|by|past|to|till|until|before|after|since|around|about|table|room|number|page|aged?|turns|is|'s)"
+        rf" (?:{names})\b(?=\s*(?:[.,;:!?)]|$|o'clock|[ap]\.?m|sharp|tonight|today|tomorrow|already|and\b|so\b|wants?\b))|"
+        rf"\b(?:{names})(?:[- ]year|(?: minutes| hours| days| weeks| years| o'clock|[ap]m| euros?| pounds?| dollars?)\b)"
+    )
+    return 0 < len(re.findall(told, sentence, re.I)) == len(re.findall(timed, sentence, re.I))
 
 
 def halved(phrase: Phrase, sentence: str, found: int) -> Phrase:

@@ -10,6 +10,7 @@ from app.programs.knowledge.names import plain, without_marks, words
 from app.programs.knowledge.properties import (
     MATERIALS,
     SIZES,
+    SORTS_OF,
     colour_word,
     colours_named,
     made_of,
@@ -69,10 +70,8 @@ class Thing:
 
     def has_material(self, material: str) -> float:
         """How surely it is made of the material."""
-        if told := self.property("material"):
-            return YES if MATERIALS.get(plain(told), plain(told)) == material else NO
-        if named := materials_named(self.name):
-            return YES if material in named else NO
+        if known := self.materials():
+            return max(_is_material(each, material) for each in known)
         return max(made_of(self.name, material), 0.2)
 
     def materials(self) -> frozenset[str]:
@@ -91,6 +90,13 @@ class Thing:
         if self.item.size:
             return self.item.size[0] * self.item.size[1] * self.item.size[2]
         return typical_size(self.name)
+
+
+def _is_material(known: str, wanted: str) -> float:
+    """Brass is metal, and metal may be brass; steel is not."""
+    if wanted in (known, SORTS_OF.get(known)):
+        return YES
+    return LIKELY if SORTS_OF.get(wanted) == known else NO
 
 
 def read_things(objects: Iterable[SceneObject]) -> tuple[Thing, ...]:

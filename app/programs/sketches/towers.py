@@ -9,12 +9,14 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from app.programs.knowledge.classes import normal
+from app.programs.knowledge.classes import CUTS, normal
 from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
 
 Pair = tuple[str, str]
 """A thing and what it stands on, by their names."""
+BARE = r"(?:(?<=the )|(?<=\ba )|(?<=an )|(?<=my )|(?<=, )|(?<=; )|(?<=: )|(?<=\. )|^)"
+"""What stands before a noun that is said without the rest of its name: "can" is more often a verb."""
 FEWEST = 3
 """Things of a tower; of two, only what is at the bottom and what on top is told here: one word alone
 tells it as well, which a model reads well."""
@@ -24,7 +26,7 @@ _PILING = re.compile(
 )
 _ON = re.compile(r"\b(?:on|onto|atop|over)(?: top of)?(?: the| a| an| my| that| this)? $", re.I)
 _NEXT_CLAUSE = re.compile(
-    r"\.|[,;:] (?:and |then |while |but )?(?:the|a|an|my|all|any|every|some|each)\b.*\bon"
+    r"\.|[,;:] (?:and |then |while |but )?(?:(?:put|place|set|stand|lay) )?(?:the|a|an|my|all|any|every|some|each)\b.*\bon"
 )
 """Between two things, where the second belongs to what is said next of a third one."""
 _ON_IT = re.compile(r" (?:on|onto|atop|over)(?: top of)? (?:it|that|this)\b(?! all)", re.I)
@@ -96,19 +98,36 @@ def _stackable(things: Sequence[Thing], text: str) -> list[Thing]:
 
 
 def mentions(sentence: str, things: Sequence[Thing]) -> list[Mention]:
-    """Every naming of a thing in the sentence, by its whole name or by the mark it alone has."""
+    """Every naming of a thing in the sentence, by its whole name or by the word it alone has."""
     spoken: dict[str, str] = {" ".join(thing.words): thing.name for thing in things}
     alike = [
         t for t in things if t.core and sum(t.core[-1] == o.core[-1] for o in things if o.core) > 1
     ]
     spoken |= {thing.words[0]: thing.name for thing in alike if len(thing.words) == 2}
-    longest = sorted(map(re.escape, spoken), key=len, reverse=True)
-    pattern = re.compile(rf"\b(?:{'|'.join(longest)})\b(?: (?:one|block|cube|brick)\b)?", re.I)
+    short = {word: name for word, name in _by_one_word(things).items() if word not in spoken}
+    longest = sorted({**spoken, **short}, key=len, reverse=True)
+    named = "|".join(
+        re.escape(each) if each in spoken else BARE + re.escape(each) for each in longest
+    )
+    spoken |= short
+    pattern = re.compile(rf"\b(?:{named})\b(?: (?:one|block|cube|brick)\b)?", re.I)
     lowered = " ".join(sentence.lower().split())
     return [
         Mention(match.start(), match.end(), spoken[_known(match[0], spoken)])
         for match in pattern.finditer(lowered)
     ]
+
+
+def _by_one_word(things: Sequence[Thing]) -> dict[str, str]:
+    """The patty of a ``beef patty``, the cheese of a ``cheese slice``, where nothing else is called so."""
+    found: dict[str, str] = {}
+    for thing in things:
+        if len(thing.core) < 2 or thing.core != thing.words:
+            continue
+        word = thing.core[0] if thing.core[-1] in CUTS and len(thing.core) == 2 else thing.core[-1]
+        if sum(word in other.words for other in things) == 1 and len(word) > 2:
+            found[word] = thing.name
+    return found
 
 
 def _known(text: str, spoken: dict[str, str]) -> str:

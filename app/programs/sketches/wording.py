@@ -15,7 +15,7 @@ from pathlib import Path
 from app.programs.knowledge.classes import classes
 from app.programs.knowledge.languages import translated
 from app.programs.knowledge.names import plain, singular, words
-from app.programs.knowledge.properties import COLOUR_WORDS
+from app.programs.knowledge.properties import COLOUR_WORDS, MATERIALS, SIZES
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.matching import misspelt
 from app.programs.sketches.rephrasing import rephrased
@@ -29,6 +29,8 @@ SURELY = 0.85
 _TOKEN = re.compile(r"[^\W\d_]+(?:[\u2019'][^\W\d_]+)*|[^\w\s]|\S+|\s+")
 _ENGLISH = word_list("english")
 _DUTCH = word_list("dutch")
+_COMMON = word_list("common")
+"""Words of which a slip is put right though no thing is called so."""
 _PLURAL_ARTICLES = frozenset(("les", "las", "los", "gli", "os", "as", "des"))
 
 
@@ -57,8 +59,9 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
         each for each in _TOKEN.findall(sentence.replace("\u2019", "'")) if not each.isspace()
     ]
     parts = [part for token in tokens for part in re.split(r"(?<=^[ldLD])'", token)]
-    if set(map(plain, parts)) & _DUTCH:  # Where French and Spanish say "in".
-        parts = ["and" if plain(part) == "en" else part for part in parts]
+    # Where French and Spanish say "in" and "of", the Dutch say "and" and "the".
+    turned = ("en", "and") if set(map(plain, parts)) & _DUTCH else ("de", "of")
+    parts = [turned[1] if plain(part) == turned[0] else part for part in parts]
     found: list[str] = []
     place = 0
     while place < len(parts):
@@ -93,8 +96,13 @@ def _longest(parts: Sequence[str], place: int, known: set[str]) -> tuple[int, st
     if word in _small_words():
         return 1, _small_words()[word]
     if noun := translated(word, known):
-        return 1, f"{noun}s" if _looks_plural(parts, place) and not noun.endswith("s") else noun
+        several = _looks_plural(parts, place) and not noun.endswith("s") and not _is_quality(noun)
+        return 1, f"{noun}s" if several else noun
     return 1, parts[place] if word in known or not word.isalpha() else word
+
+
+def _is_quality(word: str) -> bool:
+    return word in COLOUR_WORDS or word in MATERIALS or word in SIZES
 
 
 def _looks_plural(parts: Sequence[str], place: int) -> bool:
@@ -113,7 +121,7 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
     """With each unknown word that is almost one of the scene's put right."""
     scene = {word for name in names for word in words(name) if word.isalpha() and len(word) > 2}
     slips = _grammar()["slips"]
-    singulars = scene | {f"{word}s" for word in scene}
+    singulars = scene | {_several(word) for word in scene}
     sentence = _paired(_apart(_joined(sentence, names), scene), names)
     strange = (each for each in words(sentence) if each.isalpha() and each not in singulars)
     hasty = sum(len(each) > 3 and each not in _ENGLISH and misspelt(each) for each in strange)
@@ -129,10 +137,8 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
                 return near[0]
         if len(word) < 4 or word in singulars or word in _ENGLISH or not misspelt(word):
             return match[0]
-        kinds = (
-            difflib.get_close_matches(word, sorted(_kinds()), 1, SURELY) if len(word) > 4 else []
-        )
-        return _nearest(word, singulars) or next(iter(kinds), match[0])
+        known = _kinds() if len(word) > 4 else _COMMON
+        return _nearest(word, singulars) or _nearest(word, known, SURELY) or match[0]
 
     return " ".join(re.sub(r"[^\W\d_]+", mend, sentence).split())
 
@@ -175,15 +181,19 @@ def _paired(sentence: str, names: Sequence[str]) -> str:
 
 @cache
 def _kinds() -> frozenset[str]:
-    """Words for classes of things, and for colours."""
+    """Words for classes of things and for colours, and those that every other sentence has."""
     named = {each for each in classes().names() if each.isalpha() and len(each) > 3}
     several = {f"{each}s" for each in named} | {f"{each[:-1]}ies" for each in named}
-    return frozenset(named | several | set(COLOUR_WORDS))
+    return frozenset(named | several | set(COLOUR_WORDS) | _COMMON)
 
 
-def _nearest(word: str, known: Collection[str]) -> str | None:
+def _several(word: str) -> str:
+    return f"{word}es" if word.endswith(("s", "sh", "ch", "x", "z")) else f"{word}s"
+
+
+def _nearest(word: str, known: Collection[str], alike: float = ALIKE) -> str | None:
     """The known word that this one is with a slip in it, or sounds like."""
-    near = difflib.get_close_matches(word, sorted(known), 1, ALIKE)
+    near = difflib.get_close_matches(word, sorted(known), 1, alike)
     if not near:
         near = [each for each in sorted(known) if sorted(each) == sorted(word)]
     if not near:
@@ -206,6 +216,7 @@ _SOUNDS = (
     (r"wr", "r"),
     (r"gh(?=t)", ""),
     (r"(.)\1+", r"\1"),
+    (r"(?<=[aeiou])w(?![aeiou])|(?<=[bcdfghjklmnpqrstvwxz])e$", ""),
     (r"[aeiouy]+", "a"),
 )
 
