@@ -30,10 +30,16 @@ SIDES = {
     "furthest": "far",
     "back": "far",
     "rear": "far",
+    "outer": "outer",
+    "outermost": "outer",
+    "outside": "outer",
+    "ends": "outer",
+    "sides": "outer",
+    "edges": "outer",
     "upper": "top",
     "lower": "bottom",
 }
-_OF_SIDE = ("the", "hand", "side", "end", "far", "very", "thing", "things", "one", "ones")
+_OF_SIDE = ("the", "hand", "side", "end", "far", "very", "thing", "things", "one", "ones", "both")
 """Words that a side is told with: "on the far right-hand side"."""
 _ORDINALS = {"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "last": -1}
 _TAILS = (
@@ -45,6 +51,7 @@ _TAILS = (
         r"(?:located |standing |lying |sitting )?(?:in|at) the (?:very )?(middle|center|centre|front|back)",
         1,
     ),
+    (r"(?:at|on|towards) (?:both|either|the) (?:two |very |far )?(ends|sides|edges|outside)", 1),
     (r"furthest (?:to the )?(left|right)|farthest (?:to the )?(left|right)", 0),
     (r"from the (left|right)", 2),
     (r"(closest|nearest|farthest|furthest)(?: to (?:the robot|me|you|us)| away)?", 1),

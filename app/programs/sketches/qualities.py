@@ -68,16 +68,28 @@ def extreme(kept: Fits, described: Description, many: bool) -> Fits:
     placed = [pair for pair in kept if is_placed(pair[0])]
     if len(placed) < 2 or side in ("top", "bottom"):
         return kept
-    axis = 1 if side in ("left", "right", "middle") else 0
+    axis = 1 if side in ("left", "right", "middle", "outer") else 0
     ordered = sorted(placed, key=lambda pair: stands(pair[0])[axis])
+    if side in ("middle", "outer") and many:
+        return _inner(ordered, inside=side == "middle")
     if side == "middle":
         return [ordered[len(ordered) // 2]]
+    if side == "outer":
+        return [ordered[0], ordered[-1]]
     if many:
         middle = (stands(ordered[0][0])[axis] + stands(ordered[-1][0])[axis]) / 2
         up = side in ("left", "far")
         sign = 1 if up else -1
         return [pair for pair in placed if sign * (stands(pair[0])[axis] - middle) > 0]
     return [ordered[-1 if side in ("left", "far") else 0]]
+
+
+def _inner(ordered: Fits, *, inside: bool) -> Fits:
+    """Those in the middle third of the row, or those beside it; of a row from right to left."""
+    first, last = (stands(ordered[place][0])[1] for place in (0, -1))
+    third = (last - first) / 6
+    kept = [p for p in ordered if (abs(stands(p[0])[1] - (first + last) / 2) <= third) == inside]
+    return kept or ([ordered[len(ordered) // 2]] if inside else ordered)
 
 
 def _most(kept: Fits, sign: int) -> Fits:
