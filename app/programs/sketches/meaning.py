@@ -104,6 +104,18 @@ class Meaning:
         found = self._told_by(clauses[0], without) if clauses else []
         return found or self._told_by(self._sentence, without)
 
+    def tells_one(self, described: Description, things: Sequence[Thing]) -> Thing | None:
+        """Of things that fit alike, the one that the words no name has tell of: the bendy fruit."""
+        named = {normal(word) for thing in things for word in thing.words}
+        telling = [
+            w for w in described.core[:-1] if normal(w) not in named | VAGUE and w != "other"
+        ]
+        if self._judge is None or not telling:
+            return None
+        scores = self._judge(described.text, [(each.name, *uses(each.name)) for each in things])
+        ahead = self._ahead(list(zip(scores, things, strict=True)))
+        return ahead[0][0] if ahead else None
+
     def _called_for(self, described: Description, without: Collection[str]) -> Fits:
         """What a situation calls for: "rain is forecast; pack what I will need"."""
         said = words(described.text)

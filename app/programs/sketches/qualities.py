@@ -58,7 +58,10 @@ def extreme(kept: Fits, described: Description, many: bool) -> Fits:
         return _most(kept, described.superlative)
     if described.ordinal:
         return _numbered(kept, described)
-    side = described.side or ""
+    return _at_side(kept, described.side or "", many)
+
+
+def _at_side(kept: Fits, side: str, many: bool) -> Fits:
     said = {"left": ("left", "leftmost"), "right": ("right", "rightmost")}.get(
         side, (side, "center", "centre") if side == "middle" else (side,)
     )

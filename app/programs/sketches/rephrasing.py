@@ -68,6 +68,12 @@ _BAR_FIRST = re.compile(
     r"(?:^|(?<=[.!?;] ))(?:bar|barring|save for|minus) (?=(?:the|my|that|those)\b)", re.I
 )
 """Bar the saw, the tools go in the box."""
+_NONE_LEFT = re.compile(
+    r"\bno (?P<what>\w+)(?: is| should be| must be)? (?:left out|left behind|left|missing|forgotten|spared),? "
+    r"(?:other than|except(?: for)?|apart from|but|save(?: for)?) (?=(?:the|my|that|this)\b)",
+    re.I,
+)
+"""Into the toolbox, no tool left out other than the saw."""
 _IF = re.compile(
     r"^(?:so )?if (?:it|something|anything|a thing|they|things)(?:'s| is|'re| are)? "
     r"(?P<so>[^,]+),? (?:then )?(?:it|they|that) (?P<goes>goes?|belongs?|should|must|can)\b",
@@ -161,6 +167,7 @@ def rephrased(sentence: str) -> str:
     text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
     text = _ONLY_STAYS.sub(r" except \g<what>", _ASIDE.sub("", text))
     text = _BAR.sub(" except ", _ONLY.sub("", text))
+    text = _NONE_LEFT.sub(r"all the \g<what>s except ", text)
     text = _BAR_FIRST.sub("Except for ", text)
     text = _IF.sub(lambda found: f"everything {found['so']} {found['goes']}", text)
     text = _BOTH.sub(r"all the \1 \2 things", text)

@@ -14,6 +14,7 @@ from app.programs.sketches.choosing import likeliest
 from app.programs.sketches.declared import as_declared
 from app.programs.sketches.excluding import heard, without_excluded
 from app.programs.sketches.hearsay import without_history
+from app.programs.sketches.indefinite import any_one
 from app.programs.sketches.matching import (
     COUNTS,
     EXACT,
@@ -46,19 +47,6 @@ _BESIDE = re.compile(
 )
 """What is told of a thing besides what it is: "the food for the picnic"."""
 PRONOUNS = word_list("pronouns")
-_INDEFINITE = (
-    r"(?:an?|any|one|some|another|either|ein(?:e[nmrs]?)?|une?|una?|uno|uma?|eene?|irgendein\w*)"
-    r"(?: of the| of these| of those| single| of)?"
-)
-
-
-_ANY_WILL_DO = re.compile(
-    r"\b(?:one(?: thing| of them)?|just one|any(?: one)?(?: of them)?|either(?: one| of them)?) "
-    r"(?:is|will|would|'ll) (?:be )?(?:plenty|enough|sufficient|do|fine)\b|"
-    r"\b(?:doesn't|does not|don't|do not) (?:matter|mind|care) which\b|\bno matter which\b",
-    re.I,
-)
-"""One thing is plenty."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +102,10 @@ class Selection:
             found, phrase, self.things, sentence=self.sentence, spoken=self.spoken, holds=holds
         )
         if len(equal) > 1 and not self.indefinite(phrase.text):
-            raise ambiguous(phrase.text, equal, self.asked)
+            told = self._meaning.tells_one(describe_phrase(phrase), equal)
+            if told is None:
+                raise ambiguous(phrase.text, equal, self.asked)
+            equal = [told]
         return Found((equal[0],), best)
 
     def all(
@@ -147,10 +138,7 @@ class Selection:
 
     def indefinite(self, text: str) -> bool:
         """Whether the sentence speaks of any one of several: "a cup", "one of the cups"."""
-        if _ANY_WILL_DO.search(self.sentence):
-            return True
-        spoken = r"\s+".join(map(re.escape, text.split()))
-        return bool(re.search(rf"\b{_INDEFINITE}\s+{spoken}", self.sentence, re.I))
+        return any_one(text, self.sentence)
 
     def is_there(self, name: str) -> bool:
         """Whether a thing has exactly this name."""

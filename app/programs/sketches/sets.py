@@ -139,7 +139,8 @@ def left_over(phrase: Phrase, sentence: str, found: int) -> Phrase:
         return phrase
     left = _NUMBERS[match["number"].lower()]
     spoken = {normal(each) for each in words(match["noun"])}
-    same = normal(words(phrase.text)[-1]) in spoken and phrase.count in (None, left)
+    same = bool({normal(words(phrase.text)[-1]), "one", "them"} & spoken)
+    same = same and phrase.count in (None, left)
     return replace(phrase, count=found - left) if same and found > left else phrase
 
 
@@ -150,7 +151,7 @@ def but_some(phrase: Phrase, sentence: str) -> Phrase:
     if not match or not found:
         return phrase
     own = normal(found[-1])
-    same = own in {normal(each) for each in words(match["noun"])}
+    same = bool({own, "one", "them"} & {normal(each) for each in words(match["noun"])})
     kept = tuple(
         each
         for each in phrase.but
@@ -161,7 +162,7 @@ def but_some(phrase: Phrase, sentence: str) -> Phrase:
 
 def _how_many_stay(sentence: str) -> re.Match[str] | None:
     """Where the sentence tells the ``number`` of a ``noun`` that is left."""
-    patterns = (_LEFT, _STAYED, _ALL_BUT, _ALL_OF_THEM_BUT, _EVERY_BUT)
+    patterns = (_LEFT, _STAYED, _ALL_BUT, _ALL_OF_THEM_BUT, _EVERY_BUT, _KEPT)
     return next((found for each in patterns if (found := each.search(sentence))), None)
 
 
@@ -209,7 +210,7 @@ def means_all(phrase: Phrase, sentence: str) -> bool:
     return phrase.text.lower().startswith("thing ") and speaks and not single
 
 
-_SPELT = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
+_SPELT = {"single": 1, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
 _NUMBERS: dict[str, int] = {**_SPELT, **{str(number): number for number in range(1, 10)}}
 _LEFT = re.compile(
     rf"\b(?:leave|leaving|keep|keeping|spare)\s+(?:me |us |him |her |them )?(?:just |only |out )?(?P<number>{'|'.join(_NUMBERS)})\s+"
@@ -217,6 +218,13 @@ _LEFT = re.compile(
     r".*\b(?:others?|rest|remaining|remainder)\b",
     re.I,
 )
+_KEPT = re.compile(
+    r"\b(?:leave|leaving|keep|keeping|spare|sparing)\s+(?:me |us )?(?:just |only )?(?:a )?"
+    rf"(?P<number>{'|'.join(_NUMBERS)})\s+(?:of (?:the|these|those|my|your)\s+)?"
+    r"(?P<noun>(?:of )?\w+)\s+(?:out|behind|aside|back|here|there|where|on the|for)\b",
+    re.I,
+)
+"""All the jars in the crate, keeping a single one out."""
 _STAYED = re.compile(
     rf"\b(?P<number>{'|'.join(_NUMBERS)})\s+(?P<noun>\w+) (?:can |should |must |is to )?(?:stays?|remains?)\b"
     r".*\b(?:others?|rest|remaining|remainder)\b",
