@@ -12,11 +12,11 @@ from app.programs.knowledge.classes import normal
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.names import words
 from app.programs.sketches.matching import COUNTS, EXACT
-from app.programs.sketches.phrase import spoken_of
 from app.programs.sketches.qualities import Fits, affording
 from app.programs.sketches.selection import Found, Judge, Selection
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import Thing, listed, read_things
+from app.programs.sketches.whereabouts import spoken_of
 
 EQUAL = 0.015
 """Fits this close to the best are as good."""

@@ -3,8 +3,8 @@
 from app.programs.knowledge.classes import ThingClass, belonging, normal
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.wordnet import nouns
+from app.programs.sketches.description import Description
 from app.programs.sketches.matching import COUNTS, HEAD, find_class
-from app.programs.sketches.phrase import Description
 from app.programs.sketches.qualities import Fits
 from app.programs.sketches.things import Thing
 

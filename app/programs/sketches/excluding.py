@@ -7,8 +7,8 @@ from dataclasses import replace
 from app.programs.knowledge.classes import VAGUE, normal
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.description import Description
 from app.programs.sketches.matching import SETS, UNMARKED
-from app.programs.sketches.phrase import Description
 from app.programs.sketches.qualities import Fits
 from app.programs.sketches.sketch import Phrase
 

@@ -13,8 +13,8 @@ from app.domain.action import ActionSignature, Parameter
 from app.domain.program import literal
 from app.programs.knowledge.classes import normal
 from app.programs.printer import INDENT
-from app.programs.sketches.phrase import SPOKEN_RELATIONS
 from app.programs.sketches.sketch import RELATIONS
+from app.programs.sketches.whereabouts import SPOKEN_RELATIONS
 
 MAX_CALLS = 12
 MAX_LEFT_OUT = 6

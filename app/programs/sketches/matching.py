@@ -22,7 +22,7 @@ from app.programs.knowledge.names import NUMBERS, is_mark, plain, stem
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
 from app.programs.knowledge.wordnet import nouns
-from app.programs.sketches.phrase import Description
+from app.programs.sketches.description import Description
 from app.programs.sketches.things import Thing
 
 EXACT, SAME_WORDS, UNMARKED, HEAD, SYNONYM, MEMBER, KIND = 1.0, 0.98, 0.95, 0.92, 0.85, 0.8, 0.72

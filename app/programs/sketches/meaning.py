@@ -7,8 +7,8 @@ from app.programs.knowledge.classes import VAGUE, normal
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.uses import uses
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.description import Description
 from app.programs.sketches.matching import COUNTS, KIND, SETS, fit, misspelt
-from app.programs.sketches.phrase import Description
 from app.programs.sketches.qualities import Fits
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import Thing

@@ -5,8 +5,9 @@ from collections.abc import Iterable
 from app.programs.knowledge.classes import belonging, classes, normal
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.properties import typical_size
+from app.programs.sketches.description import Description
 from app.programs.sketches.matching import COUNTS
-from app.programs.sketches.phrase import Description, read_description
+from app.programs.sketches.phrase import read_description
 from app.programs.sketches.things import LIKELY, Thing
 
 Fits = list[tuple[Thing, float]]

@@ -9,12 +9,12 @@ from app.domain.program import ActionCall
 from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
 from app.programs.sketches.order import TOOLS
-from app.programs.sketches.phrase import spoken_of
 from app.programs.sketches.qualities import far_larger, is_container
 from app.programs.sketches.questions import MOST_CHOICES
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sketch import Phrase, SketchCall
 from app.programs.sketches.verbs import HANDOVER, LITERAL, SPOKEN, place_of
+from app.programs.sketches.whereabouts import spoken_of
 
 _BESIDE_IT = re.compile(
     r"\b(?:beside|alongside|next to|near|close to|by) (?:(?:you|me|us)\b|"

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from app.programs.knowledge.classes import ThingClass
 from app.programs.knowledge.names import words
+from app.programs.sketches.description import Description
 from app.programs.sketches.matching import find_class
-from app.programs.sketches.phrase import Description
 from app.programs.sketches.qualities import AXES, Fits, distance, extreme, is_placed, stands
 from app.programs.sketches.things import Thing
 

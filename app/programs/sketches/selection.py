@@ -12,6 +12,7 @@ from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.choosing import likeliest
 from app.programs.sketches.declared import as_declared
+from app.programs.sketches.description import Description
 from app.programs.sketches.excluding import heard, without_excluded
 from app.programs.sketches.hearsay import without_history
 from app.programs.sketches.indefinite import any_one
@@ -26,7 +27,7 @@ from app.programs.sketches.matching import (
     slip,
 )
 from app.programs.sketches.meaning import Judge, Meaning
-from app.programs.sketches.phrase import Description, describe_phrase, spoken_of
+from app.programs.sketches.phrase import describe_phrase
 from app.programs.sketches.qualities import (
     Fits,
     affording,
@@ -39,6 +40,7 @@ from app.programs.sketches.questions import absent, ambiguous
 from app.programs.sketches.relating import origin, related
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import LIKELY, UNKNOWN, Thing
+from app.programs.sketches.whereabouts import spoken_of
 from app.programs.sketches.whole_names import bare, whole_name, without_verb
 
 _REAL = frozenset(("real", "actual", "genuine", "proper", "true"))
