@@ -65,7 +65,8 @@ def translated(word: str, wanted: Collection[str] = ()) -> str | None:
     Of several meanings it is one that is ``wanted``, if any is: Spanish "cubo" is a cube or a bucket.
     """
     found = _meanings(word)
-    return next((each for each in found if each in wanted), found[0] if found else None)
+    fitting = (each for each in found if each in wanted or each.replace(" ", "") in wanted)
+    return next(fitting, found[0] if found else None)
 
 
 def _meanings(word: str) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ scene's words but for a letter or two, is taken to be that word.
 import difflib
 import json
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -60,12 +60,12 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
     ]
     parts = [part for token in tokens for part in re.split(r"(?<=^[ldLD])'", token)]
     # Where French and Spanish say "in" and "of", the Dutch say "and" and "the".
-    turned = ("en", "and") if set(map(plain, parts)) & _DUTCH else ("de", "of")
-    parts = [turned[1] if plain(part) == turned[0] else part for part in parts]
+    also = {"en": "and"} if set(map(plain, parts)) & _DUTCH else {"de": "of"}
     found: list[str] = []
     place = 0
     while place < len(parts):
-        length, english = _longest(parts, place, known)
+        length, english = _longest(parts, place, known, also)
+        english = _portuguese(parts, place, found) or english if length == 1 else english
         found.append(english)
         place += length
     text = " ".join(each for each in found if each)
@@ -80,11 +80,23 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
     return re.sub(r"\s+([,.!?])", r"\1", re.sub(r"\b(the|a) (the|a)\b", r"\1", text))
 
 
+def _portuguese(parts: Sequence[str], place: int, found: Sequence[str]) -> str | None:
+    """What two small words are there: "põe a maçã no saco", but Spanish "no el limón"."""
+    word, following = plain(parts[place]), plain(parts[place + 1]) if place + 1 < len(parts) else ""
+    if word == "a" and found[-1:] in (["put"], ["and"]):
+        return "the"
+    if word == "no" and _small_words().get(following) not in ("the", "a", "all", "both"):
+        return "in the"
+    return None
+
+
 _ADJECTIVES = "red|blue|green|yellow|black|white|brown|grey|pink|purple|big|small|wooden"
 
 
-def _longest(parts: Sequence[str], place: int, known: set[str]) -> tuple[int, str]:
-    """How many words from here on are one English word, and that word."""
+def _longest(
+    parts: Sequence[str], place: int, known: set[str], also: Mapping[str, str]
+) -> tuple[int, str]:
+    """How many words from here on are one English word, and that word; ``also`` has single ones."""
     for length in (4, 3, 2, 1):
         text = plain(" ".join(parts[place : place + length]))
         if length > 1 and len(parts) - place >= length:
@@ -93,8 +105,8 @@ def _longest(parts: Sequence[str], place: int, known: set[str]) -> tuple[int, st
             if noun := translated(text, known):
                 return length, noun
     word = plain(parts[place])
-    if word in _small_words():
-        return 1, _small_words()[word]
+    if word in also or word in _small_words():
+        return 1, also.get(word) or _small_words()[word]
     if noun := translated(word, known):
         several = _looks_plural(parts, place) and not noun.endswith("s") and not _is_quality(noun)
         return 1, f"{noun}s" if several else noun

@@ -30,7 +30,7 @@ def test_names_of_other_languages_are_put_into_english(foreign, english):
         ("leg de appel en de banaan in de kom", "put the apple and the banana in the bowl"),
         ("leg die Birne in die Küchenschublade", "put the pear in the kitchen drawer"),
         ("metti tutte le mele rosse nel piatto", "put all the red apples in the plate"),
-        ("põe a maçã na caixa de ferramentas", "put the apple in the tool box"),
+        ("põe a maçã na caixa de ferramentas", "put the apple in the toolbox"),
         ("put teh bananna in the bwol", "put the banana in the bowl"),
         (
             "opne the box and put the banana in the boul",
