@@ -9,6 +9,7 @@ from app.domain.instruction import Instruction
 from app.domain.planner import Turn
 from app.domain.scene import Scene, SceneObject
 from app.planners import planners
+from app.worlds.actions.tabletop import actions
 
 PLANNER = planners["situated"]
 
@@ -176,15 +177,7 @@ def _dialogue(task, sentence, *turns, at=(), facts=()):
     return replace(asked, scene=scene, actions=actions, facts=frozenset(facts))
 
 
-PLACE_AT = ActionSignature(
-    name="place_at",
-    parameters=(
-        Parameter(name="obj"),
-        Parameter(name="x", role="number"),
-        Parameter(name="y", role="number"),
-    ),
-    meaning="",
-)
+PLACE_AT = actions["place_at"].signature
 HAND = ActionSignature(name="handover", parameters=(Parameter(name="obj"),), meaning="")
 PEAR = Turn(instruction="put the pear in the box", program=TURN.format("pear", "box"))
 DECLINED = Turn(instruction="put it on the moon", program="", outcome="What is the moon?")
