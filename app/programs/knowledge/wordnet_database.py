@@ -1,6 +1,6 @@
-"""WordNet's database files → the compact list of concrete nouns in ``static/knowledge``.
+"""WordNet's database files → the lists of concrete nouns and of all words in ``static/knowledge``.
 
-Run once, when that file is made anew. The database's format is wndb(5WN): fixed fields separated by
+Run once, when these files are made anew. The database's format is wndb(5WN): fixed fields separated by
 spaces, hypernym pointers ``@``; how often a sense was met stands in ``cntlist.rev``.
 """
 
@@ -54,6 +54,18 @@ def write_nouns(folder: Path, out: Path) -> None:
         if plural != singular and plural.isascii() and "_" not in plural:
             lines.append(f"{plural}\t{singular}")
     text = "\n".join(lines) + "\n"
+    out.write_bytes(gzip.compress(text.encode("ascii"), 9, mtime=0))
+
+
+def write_words(folder: Path, out: Path) -> None:
+    """Write every single word of the database and every irregular form, sorted, gzipped."""
+    found: set[str] = set()
+    for kind in ("noun", "verb", "adj", "adv"):
+        for name in (f"index.{kind}", f"{kind}.exc"):
+            lines = (folder / name).read_text(encoding="utf-8").splitlines()
+            found |= {line.split()[0] for line in lines if not line.startswith("  ")}
+    kept = sorted(word for word in found if word.isascii() and word.isalpha() and len(word) > 2)
+    text = "\n".join((HEAD.replace("nouns", "words"), *kept)) + "\n"
     out.write_bytes(gzip.compress(text.encode("ascii"), 9, mtime=0))
 
 

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from app.programs.knowledge.classes import normal
 from app.programs.knowledge.names import plain, words
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import Thing
@@ -23,7 +24,24 @@ def whole_name(phrase: Phrase, sentence: str, things: Sequence[Thing]) -> Phrase
         and (name.startswith(f"{text} ") or name.endswith(f" {text}"))
     ]
     alone = len(longer) == 1 and text not in said.replace(longer[0], "")
-    return replace(phrase, text=longer[0]) if alone else phrase
+    if alone:
+        return replace(phrase, text=longer[0])
+    return _whole_kind(phrase, said, things) if phrase.quantity == "all" else phrase
+
+
+def _whole_kind(phrase: Phrase, said: str, things: Sequence[Thing]) -> Phrase:
+    """The same of several that are called alike: "flowers" of "every flower pot"."""
+    text = normal(phrase.text)
+    longer = {
+        thing.unmarked
+        for thing in things
+        if thing.unmarked.startswith(f"{text} ") and re.search(rf"\b{re.escape(thing.unmarked)}s?\b", said)
+    }
+    if len(longer) != 1:
+        return phrase
+    kind = longer.pop()
+    elsewhere = re.search(rf"\b{re.escape(text)}s?\b", re.sub(rf"\b{re.escape(kind)}s?\b", "", said))
+    return phrase if elsewhere else replace(phrase, text=kind)
 
 
 def without_verb(phrase: Phrase, things: Sequence[Thing]) -> Phrase:

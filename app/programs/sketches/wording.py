@@ -13,6 +13,7 @@ from functools import cache
 from pathlib import Path
 
 from app.programs.knowledge.classes import classes
+from app.programs.knowledge.english import is_english
 from app.programs.knowledge.languages import translated
 from app.programs.knowledge.names import plain, singular, words
 from app.programs.knowledge.properties import COLOUR_WORDS, MATERIALS, SIZES
@@ -136,7 +137,7 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
     singulars = scene | {_several(word) for word in scene}
     sentence = _paired(_apart(_joined(sentence, names), scene), names)
     strange = (each for each in words(sentence) if each.isalpha() and each not in singulars)
-    hasty = sum(len(each) > 3 and each not in _ENGLISH and misspelt(each) for each in strange)
+    hasty = sum(len(each) > 3 and each not in _ENGLISH and not is_english(each) for each in strange)
 
     def mend(match: re.Match[str]) -> str:
         word = plain(match[0])
@@ -147,12 +148,12 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
             near = difflib.get_close_matches(word, sorted(scene), 1, SURELY)
             if near and near[0][0] == word[0]:
                 return near[0]
-        if len(word) < 4 or word in singulars or word in _ENGLISH or not misspelt(word):
+        if len(word) < 4 or word in singulars | _ENGLISH or is_english(word):
             return match[0]
-        known = _kinds() if len(word) > 4 else _COMMON
-        return _nearest(word, singulars) or _nearest(word, known, SURELY) or match[0]
+        kind = _nearest(word, _kinds(), SURELY) if len(word) > 4 else None
+        return _nearest(word, singulars) or kind or _slipped(word) or match[0]
 
-    return " ".join(re.sub(r"[^\W\d_]+", mend, sentence).split())
+    return " ".join(re.sub(r"(?<!\d)[^\W\d_]+", mend, sentence).split())
 
 
 def _joined(sentence: str, names: Sequence[str]) -> str:
@@ -193,10 +194,18 @@ def _paired(sentence: str, names: Sequence[str]) -> str:
 
 @cache
 def _kinds() -> frozenset[str]:
-    """Words for classes of things and for colours, and those that every other sentence has."""
+    """Words for classes of things, and for colours."""
     named = {each for each in classes().names() if each.isalpha() and len(each) > 3}
     several = {f"{each}s" for each in named} | {f"{each[:-1]}ies" for each in named}
-    return frozenset(named | several | set(COLOUR_WORDS) | _COMMON)
+    return frozenset(named | several | set(COLOUR_WORDS))
+
+
+def _slipped(word: str) -> str | None:
+    """The common word that this one is but for a slip of the fingers; "wild" only sounds like "would"."""
+    turned = [each for each in sorted(_COMMON) if sorted(each) == sorted(word)]
+    near = turned or difflib.get_close_matches(word, sorted(_COMMON), 1, SURELY)
+    bent = near and word.startswith(near[0])  # "closed" is no slip
+    return near[0] if near and near[0][0] == word[0] and not bent else None
 
 
 def _several(word: str) -> str:

@@ -61,3 +61,16 @@ def test_a_word_that_exists_is_mended_in_a_sentence_full_of_slips_alone():
 )
 def test_what_is_left_is_not_put(typed):
     assert "leave the lemon" in plain_english(typed, ["lemon", "tomato", "saucepan"]).lower()
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "keep the thin book, the cold would kill it, and it might be meant for you",
+        "not the wild one: it sleeps, minus any fuss, in a pair of boxes",
+        "the box is closed and it's blocking my view of the class on the 24th",
+    ],
+)
+def test_words_that_are_english_are_no_slips(typed):
+    names = ["thing", "toy sheep", "meat", "money", "bowl"]
+    assert plain_english(typed, names) == typed
