@@ -44,6 +44,10 @@ CUTS = word_list("cuts")
 """Said after a noun, the thing is a part of it and of its class: a salmon fillet is fish."""
 
 
+_DRUNK = word_list("drunk")
+"""Said before "glasses", they are to drink from."""
+
+
 @dataclass(frozen=True, slots=True)
 class ThingClass:
     """One class; all words as ``normal`` makes them."""
@@ -188,6 +192,8 @@ def classes() -> Classes:
 def normal(text: str) -> str:
     """The form things are compared in: words apart, the last one singular."""
     found = words(text)
+    if found[-1:] == ("glasses",) and found[-2:-1] and found[-2] in _DRUNK:
+        return " ".join((*found[:-1], "glass"))  # Others are for the eyes.
     return " ".join((*found[:-1], _singular(found[-1]))) if found else ""
 
 

@@ -11,6 +11,7 @@ from app.programs.sketches.description import Description
 from app.programs.sketches.matching import SETS, UNMARKED
 from app.programs.sketches.qualities import Fits
 from app.programs.sketches.sketch import Phrase
+from app.programs.sketches.things import Thing
 
 Fitting = Callable[[Phrase, Collection[str]], Fits]
 """The things of the scene that fit a phrase, without those of the names."""
@@ -71,11 +72,17 @@ def without_excluded(kept: Fits, excluded: Description, fitting: Fitting) -> Fit
         # Its name: with the lamp, no candle stays, which is a lamp of a kind.
         out = {thing.name for thing, score in found if score >= UNMARKED}
     elif not excluded.vague:
-        out = {thing.name for thing, score in found if score >= SETS} or out
+        named = {t.name for t, _ in found if len(excluded.core) > 1 and _in_name(excluded, t)}
+        out = named or {thing.name for thing, score in found if score >= SETS} or out
     if not out:
         use = Phrase(text=f"things you can {excluded.text}", quantity="all")
         out = {thing.name for thing, _ in fitting(use, ())}
     if not out & {thing.name for thing, _ in kept}:
-        said = {normal(each) for each in excluded.core}
-        out = {t.name for t, _ in kept if said and said <= {normal(w) for w in t.words}}
+        out = {t.name for t, _ in kept if _in_name(excluded, t)}
     return [(thing, score) for thing, score in kept if thing.name not in out]
+
+
+def _in_name(described: Description, thing: Thing) -> bool:
+    """Whether all of the words stand in the name: the dog food, of a ``dog food tin``."""
+    said = {normal(each) for each in described.core}
+    return bool(said) and said <= {normal(each) for each in thing.words}

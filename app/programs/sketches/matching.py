@@ -85,7 +85,8 @@ def _words_fit(thing: Thing, core: tuple[str, ...]) -> float:
     if all(each in VAGUE for each in core):
         return 0.0
     found = _known_fit(thing, wanted)
-    if found >= HEAD or len(core) == 1:
+    use = core[0] in VAGUE and core[1:2] in (("to",), ("that",), ("which",))
+    if found >= HEAD or len(core) == 1 or use:  # Something to light the candle is no candle.
         return found
     return max(found, _modified_fit(thing, core))
 

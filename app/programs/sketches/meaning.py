@@ -151,11 +151,11 @@ class Meaning:
         self, described: Description, without: Collection[str]
     ) -> list[tuple[float, Thing]]:
         """How like each thing is to what is said of it; what the words name besides is not meant."""
-        said = [normal(each) for each in words(described.text)]
+        said = " ".join(normal(each) for each in words(described.text)[1:])
         free = [
             thing
             for thing in self._things
-            if thing.name not in without and thing.unmarked not in said[1:]
+            if thing.name not in without and f" {thing.unmarked} " not in f" {said} "
         ]
         if self._judge is None or not free:
             return []

@@ -89,6 +89,8 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
         return phrase
     if phrase.count and phrase.count > 1 and _of_the_clock(phrase.count, sentence):
         phrase = replace(phrase, count=None)
+    if phrase.count == 1 and _several(phrase, sentence):
+        phrase = replace(phrase, count=None)
     if re.search(
         rf"\bboth (?:of )?(?:the |my |your |these |those )?{re.escape(phrase.text)}\b",
         sentence,
@@ -104,6 +106,13 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
     pattern = rf"(?<!every )(?<!each )\b({'|'.join(_NUMBERS)})\s+(?:(?:out )?of\s+(?:the|these|those|my|your)\s+(?:(?:{'|'.join(_NUMBERS)})\s+)?)?{spoken}\b"
     said = {_NUMBERS[each.lower()] for each in re.findall(pattern, sentence, re.I)}
     return replace(phrase, count=said.pop()) if len(said) == 1 else phrase
+
+
+def _several(phrase: Phrase, sentence: str) -> bool:
+    """Whether the words are a plural that nothing says one is of: "just the small pots"."""
+    single = normal(phrase.text)
+    told = _ONE.format(re.escape(single.split()[-1])) if single else ""
+    return single not in ("", phrase.text) and not re.search(told, sentence, re.I)
 
 
 def _of_the_clock(count: int, sentence: str) -> bool:
@@ -139,7 +148,7 @@ def left_over(phrase: Phrase, sentence: str, found: int) -> Phrase:
         return phrase
     left = _NUMBERS[match["number"].lower()]
     spoken = {normal(each) for each in words(match["noun"])}
-    same = bool({normal(words(phrase.text)[-1]), "one", "them"} & spoken)
+    same = bool({normal(phrase.text).split()[-1], "one", "them"} & spoken)
     same = same and phrase.count in (None, left)
     return replace(phrase, count=found - left) if same and found > left else phrase
 
@@ -150,7 +159,7 @@ def but_some(phrase: Phrase, sentence: str) -> Phrase:
     found = words(phrase.text)
     if not match or not found:
         return phrase
-    own = normal(found[-1])
+    own = normal(phrase.text).split()[-1]
     same = bool({own, "one", "them"} & {normal(each) for each in words(match["noun"])})
     kept = tuple(
         each
@@ -241,6 +250,10 @@ _ALL_OF_THEM_BUT = re.compile(
     r"(?=\s*(?:[.,;:!?)]|$)|\s+(?:on|onto|in|into|to|from|go|goes|should|can|belongs?)\b)",
     re.I,
 )
+_ONE = (
+    r"\b(?:one|1|single|lone|each|every|either|any)\b|\b(?:an?|un[ae]?|ein\w*)(?: \w+)?(?: \w+)? {}"
+)
+"""What may say that one is meant: "a small pot", but not "a bit of space"."""
 _REST = re.compile(
     rf"\bthe (?:rest|remainder|others|other half|(?:other|remaining) (?:ones|{'|'.join(_NUMBERS)}))\b",
     re.I,

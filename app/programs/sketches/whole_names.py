@@ -35,12 +35,15 @@ def _whole_kind(phrase: Phrase, said: str, things: Sequence[Thing]) -> Phrase:
     longer = {
         thing.unmarked
         for thing in things
-        if thing.unmarked.startswith(f"{text} ") and re.search(rf"\b{re.escape(thing.unmarked)}s?\b", said)
+        if thing.unmarked.startswith(f"{text} ")
+        and re.search(rf"\b{re.escape(thing.unmarked)}s?\b", said)
     }
     if len(longer) != 1:
         return phrase
     kind = longer.pop()
-    elsewhere = re.search(rf"\b{re.escape(text)}s?\b", re.sub(rf"\b{re.escape(kind)}s?\b", "", said))
+    elsewhere = re.search(
+        rf"\b{re.escape(text)}s?\b", re.sub(rf"\b{re.escape(kind)}s?\b", "", said)
+    )
     return phrase if elsewhere else replace(phrase, text=kind)
 
 
