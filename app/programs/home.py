@@ -10,9 +10,10 @@ from app.domain.scene import SceneObject
 from app.programs.activities import AFFORDED, DROPPED, Activity
 from app.programs.home_members import HomeMembers, room_told
 from app.programs.home_places import HomePlaces
-from app.programs.knowledge.classes import belonging, classes
+from app.programs.knowledge.classes import classes
 from app.programs.knowledge.compounds import apart
 from app.programs.knowledge.hazards import hazard
+from app.programs.knowledge.membership import belonging
 
 CLEARLY = 0.7
 """How surely a thing belongs to a class that an activity is not for."""

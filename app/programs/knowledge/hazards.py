@@ -9,16 +9,8 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from app.programs.knowledge.classes import (
-    FIGURES,
-    TOYLIKE,
-    ThingClass,
-    belonging,
-    classes,
-    endings,
-    head_first,
-    normal,
-)
+from app.programs.knowledge.classes import FIGURES, ThingClass, classes, normal
+from app.programs.knowledge.membership import TOYLIKE, belonging, endings, head_first
 
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "hazards.json"
 SURE = 0.8

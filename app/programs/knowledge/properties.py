@@ -5,7 +5,8 @@ import re
 from functools import cache
 from pathlib import Path
 
-from app.programs.knowledge.classes import FIGURES, belonging, classes, endings, head_first, normal
+from app.programs.knowledge.classes import FIGURES, classes, normal
+from app.programs.knowledge.membership import belonging, endings, head_first
 from app.programs.knowledge.names import words
 
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "things.json"

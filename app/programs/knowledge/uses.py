@@ -7,7 +7,8 @@ import json
 from functools import cache
 from pathlib import Path
 
-from app.programs.knowledge.classes import HOLDERS, endings, head_first, normal
+from app.programs.knowledge.classes import HOLDERS, normal
+from app.programs.knowledge.membership import endings, head_first
 
 _DOSES = frozenset(("tablet", "pill", "capsule", "drop", "cream"))
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "uses.json"

@@ -1,6 +1,7 @@
 """What the scene declares its things to be, where that tells what a word for them takes in."""
 
-from app.programs.knowledge.classes import ThingClass, belonging, normal
+from app.programs.knowledge.classes import ThingClass, normal
+from app.programs.knowledge.membership import belonging
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.wordnet import nouns
 from app.programs.sketches.description import Description

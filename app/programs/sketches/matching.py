@@ -13,11 +13,10 @@ from app.programs.knowledge.classes import (
     UNREAL,
     VAGUE,
     ThingClass,
-    belonging,
     classes,
-    endings,
     normal,
 )
+from app.programs.knowledge.membership import belonging, endings
 from app.programs.knowledge.names import NUMBERS, is_mark, plain, stem
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list

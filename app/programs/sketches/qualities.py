@@ -2,7 +2,8 @@
 
 from collections.abc import Iterable
 
-from app.programs.knowledge.classes import belonging, classes, normal
+from app.programs.knowledge.classes import classes, normal
+from app.programs.knowledge.membership import belonging
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.properties import typical_size
 from app.programs.sketches.description import Description

@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 
 from app.domain.condition import Relation
 from app.domain.errors import TaskDeclined
-from app.programs.knowledge.classes import UNREAL, VAGUE, belonging
+from app.programs.knowledge.classes import UNREAL, VAGUE
 from app.programs.knowledge.languages import in_english
+from app.programs.knowledge.membership import belonging
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.choosing import likeliest

@@ -4,7 +4,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from app.programs.knowledge.classes import VAGUE, belonging, classes, normal
+from app.programs.knowledge.classes import VAGUE, classes, normal
+from app.programs.knowledge.membership import belonging
 from app.programs.knowledge.names import words
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.qualities import is_container

@@ -3,7 +3,8 @@
 import re
 from collections.abc import Callable, Sequence
 
-from app.programs.knowledge.classes import VAGUE, belonging, normal
+from app.programs.knowledge.classes import VAGUE, normal
+from app.programs.knowledge.membership import belonging
 from app.programs.knowledge.names import is_mark
 from app.programs.knowledge.properties import COLOUR_WORDS, MATERIALS, SIZES
 from app.programs.knowledge.synonyms import mean_the_same

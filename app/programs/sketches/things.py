@@ -4,8 +4,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from app.domain.scene import SceneObject
-from app.programs.knowledge.classes import head_first, normal
+from app.programs.knowledge.classes import normal
 from app.programs.knowledge.languages import in_english
+from app.programs.knowledge.membership import head_first
 from app.programs.knowledge.names import plain, without_marks, words
 from app.programs.knowledge.properties import (
     MATERIALS,

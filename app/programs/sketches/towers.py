@@ -9,7 +9,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from app.programs.knowledge.classes import CUTS, normal
+from app.programs.knowledge.classes import normal
+from app.programs.knowledge.membership import CUTS
 from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
 

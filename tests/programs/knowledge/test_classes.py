@@ -4,7 +4,8 @@ from pathlib import Path
 import pytest
 
 from app.domain.scene import SceneObject
-from app.programs.knowledge.classes import belonging, classes
+from app.programs.knowledge.classes import classes
+from app.programs.knowledge.membership import belonging
 from app.programs.sketches.matching import SETS, fit
 from app.programs.sketches.phrase import read_description
 from app.programs.sketches.things import read_things
