@@ -61,7 +61,8 @@ class Situated:
         reader = Reader(task, model, report, likeness)
         said = asks_to_undo(task.instruction.text)
         if said and (task.history or not said["what"]):
-            return reader.draft(reader.transcript(sentence), undo(task, said["what"]), 1.0)
+            back = undo(task, said["what"], everything=bool(said["all"]))
+            return reader.draft(reader.transcript(sentence), back, 1.0)
         if swapped := swap(task, sentence, selection):
             return reader.draft(reader.transcript(sentence), swapped, 1.0)
         refuse_place_beside(sentence, task.actions)

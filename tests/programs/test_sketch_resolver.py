@@ -16,6 +16,7 @@ from app.programs.sketches.dialogue import asks_to_undo, undo
 from app.programs.sketches.parser import parse_sketch
 from app.programs.sketches.resolver import resolve
 from app.programs.sketches.verbs import spoken_verbs
+from app.worlds.actions.tabletop import actions
 
 CASES = json.loads(Path(__file__).with_name("sketches.json").read_text(encoding="utf-8"))
 SIDES = {"left": (0.5, 0.2, 0.0), "center": (0.5, 0.0, 0.0), "right": (0.5, -0.2, 0.0)}
@@ -156,6 +157,18 @@ def test_undo_brings_a_thing_back_to_where_an_earlier_turn_had_put_it():
     objects = {"red block": {}, "box": {}, "bowl": {}}
     body = undo(_task(objects, "undo that", history=(EARLIER, second)))
     assert _ends(body) == {"red block": "box"}
+
+
+def test_undoing_everything_brings_all_back_to_where_it_was_at_first():
+    place_at = actions["place_at"].signature
+    second = Turn(
+        instruction="the red one in the bowl, the blue one on it",
+        program="def t():\n    grab_and_putin('red block', 'bowl')\n    grab_and_putin('cup', 'red block')\n",
+    )
+    spots = {"red block": {"position": "left"}, "cup": {"position": "right"}, "box": {}, "bowl": {}}
+    task = _task(spots, history=(EARLIER, second), actions=(*ACTIONS, place_at))
+    calls = [str(each) for each in undo(task, everything=True)[1:]]
+    assert calls == ["place_at('cup', 0.5, -0.2)", "place_at('red block', 0.5, 0.2)"]
 
 
 def test_undo_is_declined_where_no_verb_reaches_the_bare_table():

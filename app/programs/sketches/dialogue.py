@@ -14,7 +14,7 @@ from app.programs.sketches.verbs import place_of
 
 _UNDO = re.compile(
     r"(?:(?:no|oh|oops|sorry|wait|hmm|ok|okay|please|now|then|can you|could you|actually|and)[,.! ]+)*"
-    r"(?:undo(?: (?:that|this|it|the last (?:step|move|one|action)|everything|all of (?:that|it)))?"
+    r"(?:undo(?: (?:that|this|it|the last (?:step|move|one|action)|(?P<all>everything|all(?: of (?:that|it))?)))?"
     r"|(?:take|revert|reverse) (?:that|this|it|them) ?(?:back|off|out|down)?(?: of (?:there|it))?(?: again)?"
     r"|(?:put|bring|move|return) (?:it|them|that|those|everything|all|(?:the )?(?P<what>[\w' ]+?)) "
     r"back(?: (?:again|where (?:it|they) (?:was|were|came from)|to where (?:it|they) (?:was|were)|"
@@ -55,8 +55,10 @@ def asks_to_undo(sentence: str) -> re.Match[str] | None:
     return _UNDO.fullmatch(sentence.strip())
 
 
-def undo(task: Task, what: str | None = None) -> tuple[Statement, ...]:
+def undo(task: Task, what: str | None = None, *, everything: bool = False) -> tuple[Statement, ...]:
     """The calls that bring back what the latest turn moved, the last one first.
+
+    ``everything``: what any turn moved, to where it was at first.
 
     Raises:
         TaskDeclined: nothing was moved, or no verb on offer can bring it to where it was.
@@ -65,9 +67,13 @@ def undo(task: Task, what: str | None = None) -> tuple[Statement, ...]:
     if not turns:
         raise TaskDeclined("nothing was done yet that could be taken back", kind="impossible")
     wanted = plain(what) if what else None
+    done = _own(turns[-1])
+    if everything:
+        done = [call for program in reversed(turns) for call in reversed(calls_of(program))]
+        done = list({_thing(call): call for call in done}.values())[::-1]
     body: list[Statement] = [
         _inverse(call, turns, task)
-        for call in reversed(_own(turns[-1]))
+        for call in reversed(done)
         if not wanted or wanted in plain(_thing(call))
     ]
     if not body:
