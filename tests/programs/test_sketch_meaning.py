@@ -42,3 +42,10 @@ def test_words_for_a_side_tell_no_use():
     meaning = Meaning(THINGS, "the bag to your right", lambda text, things: [1.0] * len(things))
     phrase = Phrase(text="bag to your right")
     assert meaning.plainly(read_description(phrase.text), phrase, ()) == []
+
+
+def test_what_was_spoken_of_some_other_time_nobody_here_can_know():
+    meaning = Meaning(THINGS, "the one we talked about", lambda text, things: [0.9, 0.2, 0.1])
+    described = read_description("thing we talked about yesterday")
+    assert meaning.perhaps(described, ()) == []
+    assert meaning.plainly(described, Phrase(text=described.text), ()) == []

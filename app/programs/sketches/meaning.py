@@ -35,6 +35,10 @@ _OF_ALL = word_list("of all")
 """A sentence with one of these may mean everything there is."""
 _SEEN = frozenset(("see", "find", "have", "got", "left", "right", "like", "there"))
 """Verbs of clauses that tell no use."""
+_SPOKEN_OF = frozenset(
+    ("talked", "spoke", "spoken", "mentioned", "discussed", "agreed", "promised", "remember")
+)
+"""Verbs of clauses about what was said some other time."""
 _WHATEVER = frozenset(("whatever", "everything", "anything", "all", "things"))
 _CLAUSE_WORDS = frozenset(("for", "to", "that", "which", "you", "i", "we", "with", "made", "used"))
 _SAID_OF_ALL = word_list("said of all")
@@ -53,7 +57,7 @@ class Meaning:
 
     def plainly(self, described: Description, phrase: Phrase, without: Collection[str]) -> Fits:
         """The things a clause plainly tells of by their use: "the thing i dry my hair with"."""
-        if not is_clause(described):
+        if not is_clause(described) or _tells_nothing(described):
             return []
         scores = self._likenesses(described, without)
         best = max((likely for likely, _ in scores), default=0.0)
@@ -73,7 +77,7 @@ class Meaning:
     def perhaps(self, described: Description, without: Collection[str]) -> Fits:
         """By likeness of meaning, for descriptions and for words that no knowledge covers."""
         open_ = set(described.whole) & VAGUE or all(map(misspelt, described.core))
-        if not described.core or not (open_ or is_clause(described)):
+        if not described.core or not (open_ or is_clause(described)) or _tells_nothing(described):
             return []
         if found := self._called_for(described, without):
             return found
@@ -167,6 +171,11 @@ class Meaning:
             strict=True,
         )
         return [(max(pair), thing) for pair, thing in zip(scores, free, strict=True)]
+
+
+def _tells_nothing(described: Description) -> bool:
+    """Whether only who was there could know: "the one we talked about yesterday"."""
+    return bool(_SPOKEN_OF & set(words(described.text)))
 
 
 def is_clause(described: Description) -> bool:
