@@ -92,6 +92,16 @@ from app.programs.sketches.rephrasing import rephrased
             "The red glove goes in the bag and the other one goes in the bag, odd as it looks.",
         ),
         ("poor the cream in the jug", "pour the cream in the jug"),
+        ("clear the whole desk into the box", "put everything into the box"),
+        (
+            "all red things go in the box, with the exception of the cup",
+            "all red things go in the box except the cup",
+        ),
+        (
+            "the left glove is torn, that's one for the bin",
+            "the left glove is torn, put it in the bin",
+        ),
+        ("Get that fish into the ice box. The box is open.", "Get that fish into the ice box."),
         (
             "I'm after a hot dog: sausage in the bun, onion on the sausage, mustard on the onion",
             "sausage in the bun, onion on the sausage, mustard on the onion",

@@ -53,8 +53,22 @@ _SO_DOES = re.compile(
     re.I,
 )
 """The blue sock goes in the drawer. So does the grey one."""
-_SPILT = re.compile(r"\bpoor (?=(?:the|some|all|out|my)\b)", re.I)
+_SPILT = re.compile(r"\b(?:poor|por|pore) (?=(?:the|some|all|out|my)\b)", re.I)
 """Nobody says "poor the milk" who does not want it poured."""
+_ONE_FOR = re.compile(r"\b(?:that(?:'s| is)|it(?:'s| is)) one for (?=(?:the|my)\b)", re.I)
+"""That's one for the bin."""
+_CLEARED = re.compile(
+    r"\bclear (?:off |out )?(?:the |my |this )(?:whole |entire )?"
+    r"(?:desk|table|tabletop|counter|bench|workbench|worktop|place) (?=(?:into|onto|in|to)\b)",
+    re.I,
+)
+_WITH_EXCEPTION = re.compile(r",? with the (?:sole |single |one )?exception of ", re.I)
+_STATE = re.compile(
+    r"^(?:the|my|your) [\w' -]{1,30}? (?:is|are)(?: already| still| now)? (?:wide )?"
+    r"(?:open|closed|shut|empty|full|clean|dirty|ready)[.!]$",
+    re.I,
+)
+"""The box is open."""
 _NEEDED = re.compile(
     r"(?P<what>\b(?:the|my|your|that|this) [\w' -]+?) (?:needs?|wants?|could do with)"
     r"(?: to be)? (?P<deed>opening|closing|shutting|pushing|emptying|opened|closed|shut|pushed)\b",
@@ -167,6 +181,8 @@ def rephrased(sentence: str) -> str:
     text = _NEEDED.sub(lambda found: f"{_need(found['deed'])} {found['what']}", text)
     text = _ONLY_STAYS.sub(r" except \g<what>", _ASIDE.sub("", text))
     text = _BAR.sub(" except ", _ONLY.sub("", text))
+    text = _WITH_EXCEPTION.sub(" except ", _CLEARED.sub("put everything ", text))
+    text = _ONE_FOR.sub("put it in ", text)
     text = _NONE_LEFT.sub(r"all the \g<what>s except ", text)
     text = _BAR_FIRST.sub("Except for ", text)
     text = _IF.sub(lambda found: f"everything {found['so']} {found['goes']}", text)
@@ -217,7 +233,8 @@ def _without_stays(text: str) -> str:
     """Without sentences that something stays where it is, unless they take it out of a whole."""
     parts = re.split(r"(?<=[.!;])\s+", text)
     kept = [each for each in parts if not STAYS.match(each.strip())]
-    kept = [each for each in kept if not _NONE.match(each.strip())] or kept
+    silent = (_NONE, _STATE)
+    kept = [p for p in kept if not any(each.match(p.strip()) for each in silent)] or kept
     whole = any(map(_WHOLE.search, kept))
     return text if whole or not kept or len(kept) == len(parts) else " ".join(kept)
 

@@ -99,10 +99,13 @@ def counted(phrase: Phrase, sentence: str) -> Phrase:
     ):
         return replace(phrase, count=None)
     spoken = r"\s+".join(map(re.escape, phrase.text.split()))
-    if re.search(rf"\ball (?:of )?(?:the |my |your |these |those )?{spoken}\b", sentence, re.I):
+    if re.search(
+        rf"\ball (?:of )?(?:the |my |your |these |those )?{spoken}(?:e?s)?\b", sentence, re.I
+    ):
         # The number is of something else: "all the eggs, one in each cup".
         phrase = replace(phrase, count=None if phrase.count == 1 else phrase.count)
-    if phrase.count is not None and not re.search(r"\bof the \w+ ", sentence, re.I):
+    other = phrase.count is not None and _of_others(phrase, sentence)
+    if phrase.count is not None and not (other or re.search(r"\bof the \w+ ", sentence, re.I)):
         return phrase
     pattern = rf"(?<!every )(?<!each )\b({'|'.join(_NUMBERS)})\s+(?:(?:out )?of\s+(?:the|these|those|my|your)\s+(?:(?:{'|'.join(_NUMBERS)})\s+)?)?{spoken}\b"
     said = {_NUMBERS[each.lower()] for each in re.findall(pattern, sentence, re.I)}
@@ -114,6 +117,14 @@ def _several(phrase: Phrase, sentence: str) -> bool:
     single = normal(phrase.text)
     told = _ONE.format(re.escape(single.split()[-1])) if single else ""
     return single not in ("", phrase.text) and not re.search(told, sentence, re.I)
+
+
+def _of_others(phrase: Phrase, sentence: str) -> bool:
+    """Whether the sentence says the number of other things alone: "I'm only playing nine holes"."""
+    names = "|".join(name for name, value in _NUMBERS.items() if value == phrase.count)
+    own = normal(phrase.text).split()[-1:]
+    said = re.findall(rf"\b(?:{names})\b ?(\w*)", sentence, re.I) if names else []
+    return bool(said) and all(normal(each) not in (each, *own) for each in said)
 
 
 def _of_the_clock(count: int, sentence: str) -> bool:
@@ -220,8 +231,11 @@ def means_all(phrase: Phrase, sentence: str) -> bool:
     return phrase.text.lower().startswith("thing ") and speaks and not single
 
 
-_SPELT = {"single": 1, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6}
-_NUMBERS: dict[str, int] = {**_SPELT, **{str(number): number for number in range(1, 10)}}
+_SPELT = {
+    **{"single": 1, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5},
+    **{"six": 6, "seven": 7, "eight": 8, "nine": 9, "ten": 10, "twelve": 12},
+}
+_NUMBERS: dict[str, int] = {**_SPELT, **{str(number): number for number in range(1, 13)}}
 _LEFT = re.compile(
     rf"\b(?:leave|leaving|keep|keeping|spare)\s+(?:me |us |him |her |them )?(?:just |only |out )?(?P<number>{'|'.join(_NUMBERS)})\s+"
     r"(?:of (?:the|these|those|my|your)\s+)?(?P<noun>\w+(?: \w+)?)\b"

@@ -22,7 +22,7 @@ FEWEST = 3
 """Things of a tower; of two, only what is at the bottom and what on top is told here: one word alone
 tells it as well, which a model reads well."""
 _PILING = re.compile(
-    r"\b(?:stack|pile|piled|tower|heap|build|burger|sandwich|top|bottom|start from|start with)\b",
+    r"\b(?:stack|pile|piled|tower|heap|build|burger|sandwich|cairn|top|bottom|start from|start with)\b",
     re.I,
 )
 _ON = re.compile(r"\b(?:on|onto|atop|over)(?: top of)?(?: the| a| an| my| that| this)? $", re.I)
@@ -47,7 +47,8 @@ _LOWEST = re.compile(
 )
 _MIDDLE = re.compile(r"\b(?:in[- ]between|between|in the (?:middle|cent(?:re|er)))\b", re.I)
 _IN_TURN = re.compile(
-    r"\b(?:stack|pile|heap|build|tower|burger|sandwich)\b.*\b(?:then|next|last|finally)\b", re.I
+    r"\b(?:stack|pile|heap|build|tower|burger|sandwich|cairn|start)\b.*\b(?:then|next|last|finally)\b",
+    re.I,
 )
 """A tower that is told piece by piece is told from below."""
 _ALL_OF_THEM = re.compile(
@@ -194,7 +195,8 @@ def _by_place(
 ) -> list[Pair] | None:
     """A list, and words for its ends: "red at the bottom, then blue, green on top"."""
     text = " ".join(sentence.lower().split())
-    base = next((m for m in found if _START.search(text[: m.start])), None) or next(
+    started = next((m for m in found if _START.search(text[: m.start])), None)
+    base = started or next(
         (m for m in found if _ON.search(text[: m.start]) and _is_place(m, text)), None
     )
     found = [*found, *_unsaid(text, found, things)]
@@ -202,7 +204,9 @@ def _by_place(
     found = [m for m in found if m is base or m.start > listed]
     pieces = list(dict.fromkeys(m.name for m in found if m is not base))
     ends = {_marked(text, found, mark) for mark in (_LOWEST, _HIGHEST)}
-    if (len(pieces) < FEWEST and ends != set(pieces)) or (base and base.name in pieces):
+    if (len(pieces) + bool(started) < FEWEST and ends != set(pieces)) or (
+        base and base.name in pieces
+    ):
         return None
     related = any(
         _ON.search(text[one.end : other.start])
