@@ -6,7 +6,9 @@ def test_thousands_of_mutated_programs_bring_programs_or_refusals():
     assert report.broken == ()
     assert report.cases == 5000
     assert 500 < report.parsed < 4500, "the mutations neither all pass nor all fail"
-    assert report.slowest < 1.0
+    assert report.slowest < 5.0, (
+        "one that hangs takes longer; collecting the garbage of all tests does not"
+    )
     assert report.grown < 50_000
 
 
