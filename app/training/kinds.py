@@ -76,7 +76,7 @@ KINDS: dict[str, Kind] = {
     "foreign": Kind(12, _foreign),
     "impossible": Kind(6, impossible),
     "dialogue": Kind(4, dialogue),
-    "sentence": Kind(150, _whole),
+    "sentence": Kind(60, _whole),
     "chore": Kind(34, _chore),
 }
 VERBAL = ("verb", "verbs", "chain", "quoted")

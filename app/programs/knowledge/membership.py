@@ -33,7 +33,7 @@ CUTS = word_list("cuts")
 
 def belonging(name: str, kind: ThingClass) -> float:
     """How surely a thing of this name is one of the class, 0 to 1; from 0.5 on it counts."""
-    core = _core(name)
+    core = head_first(name)
     if not core:
         return 0.0
     before = {"toy": TOYLIKE, "stuffed animal": CUDDLY}.get(kind.name, frozenset())
@@ -78,9 +78,6 @@ def head_first(name: str) -> tuple[str, ...]:
     while len(found) > 1 and (found[0] in DETERMINERS or is_mark(found[-1])):
         found = found[1:] if found[0] in DETERMINERS else found[:-1]
     return tuple(found)
-
-
-_core = head_first
 
 
 def _contents(name: str, core: tuple[str, ...]) -> tuple[tuple[str, ...], ...]:

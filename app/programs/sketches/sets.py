@@ -29,15 +29,15 @@ def really_said(phrase: Phrase, sentence: str, things: Sequence[Thing]) -> Phras
     """With the word for all of a kind that the sentence says, where the sketch has no more than "things"."""
     said = words(sentence)
     named = {word for thing in things for word in thing.words}
-    if vague_set(phrase) and (shared := _shared_by_names(said, things)):
+    if _vague_set(phrase) and (shared := _shared_by_names(said, things)):
         return replace(phrase, text=shared)
     kinds = {each for each in said if each in COLLECTIVE - VAGUE - named}
-    if not vague_set(phrase) or len(kinds) != 1 or set(said) & (VAGUE | _EVERYTHING):
+    if not _vague_set(phrase) or len(kinds) != 1 or set(said) & (VAGUE | _EVERYTHING):
         return phrase
     return replace(phrase, text=kinds.pop())
 
 
-def vague_set(phrase: Phrase) -> bool:
+def _vague_set(phrase: Phrase) -> bool:
     """Whether it is of everything, as far as its words go."""
     return set(words(phrase.text)) <= VAGUE and phrase.quantity == "all" and not phrase.relations
 
