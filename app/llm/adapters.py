@@ -1,4 +1,4 @@
-"""Adapters: LoRA files (GGUF), each with a card that ties it to its base by checksums."""
+"""Adapters: LoRA files (GGUF) with their drafts, each with a card that ties it to its base by checksums."""
 
 import hashlib
 import json
@@ -9,6 +9,8 @@ from pathlib import Path
 
 from app.domain.errors import ModelUnavailable
 
+DRAFTS = ".drafts"
+"""Ending of the file of drafts beside an adapter."""
 SHIPPED = Path(__file__).resolve().parents[2] / "static" / "adapters"
 
 log = logging.getLogger(__name__)
@@ -24,6 +26,9 @@ class Adapter:
     base_sha256: str
     """Of the only file of weights that it fits."""
     licence: str
+    drafts: Path | None = None
+    """What usually follows in what it writes (``app.llm.drafts``), for speed alone."""
+    drafts_sha256: str = ""
 
 
 def adapters_in(folder: Path) -> Iterator[Adapter]:
@@ -49,15 +54,21 @@ def check(adapter: Adapter, base_sha256: str) -> None:
             f"the adapter {adapter.name} was trained for weights with sha256"
             f" {adapter.base_sha256}; these have {base_sha256}: name its own base"
         )
+    _check_file(adapter.path, adapter.sha256)
+    if adapter.drafts is not None:
+        _check_file(adapter.drafts, adapter.drafts_sha256)
+
+
+def _check_file(path: Path, sha256: str) -> None:
     try:
-        with adapter.path.open("rb") as file:
+        with path.open("rb") as file:
             digest = hashlib.file_digest(file, "sha256").hexdigest()
     except OSError as error:
-        raise ModelUnavailable(f"the adapter {adapter.path} cannot be read: {error}") from error
-    if digest != adapter.sha256:
+        raise ModelUnavailable(f"the adapter's {path} cannot be read: {error}") from error
+    if digest != sha256:
         raise ModelUnavailable(
-            f"{adapter.path} is not the adapter of its card: its sha256 is {digest} instead of"
-            f" {adapter.sha256}; install it again, or train it anew: progprompt train"
+            f"{path} is not the one of its adapter's card: its sha256 is {digest} instead of"
+            f" {sha256}; install it again, or train it anew: progprompt train"
         )
 
 
@@ -69,4 +80,6 @@ def _read(card: Path) -> Adapter:
         sha256=str(said["adapter_sha256"]),
         base_sha256=str(said["base_sha256"]),
         licence=str(said.get("licence", "")),
+        drafts=card.with_suffix(DRAFTS) if "drafts_sha256" in said else None,
+        drafts_sha256=str(said.get("drafts_sha256", "")),
     )

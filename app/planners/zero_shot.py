@@ -105,7 +105,7 @@ def _best(task: Task, shown: str, transcript: Transcript, body: list[ActionCall]
         if completion.logprob is None:
             raise ModelUnavailable(
                 f"{completion.model} does not tell log-probabilities, which this planner weighs;"
-                " use a local model or another service"
+                " use a local model that is not adapted, or another service"
             )
         if text := completion.text.strip().rstrip("."):
             samples.setdefault(text, completion.logprob)

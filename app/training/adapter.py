@@ -29,6 +29,7 @@ class Card:
     """Name of the base model's file."""
     base_sha256: str
     adapter_sha256: str
+    drafts_sha256: str
     prompt: str = "app.programs.sketches.prompt"
     licence: str = "Apache-2.0, as the base model"
     training: dict[str, object] = field(default_factory=dict)

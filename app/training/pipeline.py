@@ -1,5 +1,6 @@
 """The whole way to an adapter; every stage leaves a file, so that a second run takes up the first."""
 
+import itertools
 import json
 import os
 from collections.abc import Callable, Iterable, Mapping
@@ -9,15 +10,18 @@ from typing import TYPE_CHECKING
 
 from app.domain.llm import LanguageModel
 from app.domain.planner import PlannerOptions
+from app.llm.adapters import DRAFTS
 from app.llm.backend import LlmConfig
 from app.llm.backends.local import LocalModel
+from app.llm.drafts import followers, write_drafts
 from app.llm.models import open_model
 from app.planners import planners
 from app.training import evaluation, suites
 from app.training.adapter import Card, read_adapter, sha256, write_adapter
+from app.training.generator import generate
 from app.training.network import LoraShape, Network
 from app.training.recipe import Recipe
-from app.training.training import Progress, Schedule, train
+from app.training.training import Progress, Schedule, tokenize, train
 
 if TYPE_CHECKING:
     from app.training.evaluation import Answer
@@ -34,7 +38,7 @@ def run(recipe: Recipe, config: LlmConfig, compare: tuple[str, ...], say: Say) -
     os.environ.setdefault("HF_HUB_OFFLINE", "1")
     recipe.out.mkdir(parents=True, exist_ok=True)
     trained = recipe.out / "training.json"
-    if recipe.adapter.exists() and trained.exists():
+    if all(path.exists() for path in (recipe.adapter, recipe.drafts, trained)):
         recipe.check(json.loads(trained.read_text("utf-8")))
     else:
         progress = make_adapter(recipe, say)
@@ -65,13 +69,15 @@ def make_adapter(recipe: Recipe, say: Say) -> Progress:
     )
     progress = train(network, schedule, recipe.out / "checkpoint.npz", say)
     write_adapter(network.arrays(), shape.alpha, recipe.base, recipe.adapter, recipe.name)
+    examples = itertools.islice(generate(recipe.seed, "train", recipe.data), recipe.examples)
+    write_drafts(recipe.drafts, followers(tokenize(network, each) for each in examples))
     return progress
 
 
 def open_adapted(base: Path, adapter: Path, config: LlmConfig) -> LocalModel:
     """The base model with the adapter in force."""
     identity = f"{sha256(base)} {sha256(adapter)}"
-    return LocalModel(base, adapter.stem, config, identity, adapter)
+    return LocalModel(base, adapter.stem, config, identity, adapter, adapter.with_suffix(DRAFTS))
 
 
 def measure(
@@ -109,6 +115,7 @@ def write_card(recipe: Recipe, facts: dict[str, object], measured: Mapping[str, 
         base=recipe.base.name,
         base_sha256=sha256(recipe.base),
         adapter_sha256=sha256(recipe.adapter),
+        drafts_sha256=sha256(recipe.drafts),
         training={"rank": LoraShape().rank, **facts},
         figures=dict(measured),
     )

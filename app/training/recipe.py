@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.domain.errors import Conflict
+from app.llm.adapters import DRAFTS
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,6 +36,11 @@ class Recipe:
     def adapter(self) -> Path:
         """The file it is all for."""
         return self.out / f"{self.name}.gguf"
+
+    @property
+    def drafts(self) -> Path:
+        """What usually follows in what it writes."""
+        return self.adapter.with_suffix(DRAFTS)
 
     def choices(self) -> dict[str, object]:
         """What makes an adapter another one; the card tells it."""

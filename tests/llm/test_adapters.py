@@ -37,10 +37,27 @@ def test_adapter_is_taken_only_as_its_card_describes_it(config):
     with pytest.raises(ModelUnavailable, match="trained for weights with sha256 1d96"):
         check(adapter, "f" * 64)
     adapter.path.write_bytes(b"Matrices")
-    with pytest.raises(ModelUnavailable, match="is not the adapter of its card"):
+    with pytest.raises(ModelUnavailable, match="is not the one of its adapter"):
         check(adapter, BASE)
     adapter.path.unlink()
     with pytest.raises(ModelUnavailable, match="cannot be read"):
+        check(adapter, BASE)
+
+
+def test_drafts_are_taken_only_as_the_card_describes_them(config, tmp_path):
+    """The library ends the process over a file that it cannot read."""
+    card = tmp_path / "adapters" / "mine.json"
+    told = json.loads(card.read_text()) | {"drafts_sha256": hashlib.sha256(b"words").hexdigest()}
+    card.write_text(json.dumps(told))
+    adapter = find_model("mine", config).adapter
+    assert adapter
+    assert adapter.drafts
+    with pytest.raises(ModelUnavailable, match=r"mine\.drafts cannot be read"):
+        check(adapter, BASE)
+    adapter.drafts.write_bytes(b"words")
+    check(adapter, BASE)
+    adapter.drafts.write_bytes(b"other words")
+    with pytest.raises(ModelUnavailable, match=r"mine\.drafts is not the one of its adapter"):
         check(adapter, BASE)
 
 

@@ -37,7 +37,13 @@ class LocalModel:
     follows_grammar = True
 
     def __init__(
-        self, path: Path, name: str, config: LlmConfig, identity: str, adapter: Path | None = None
+        self,
+        path: Path,
+        name: str,
+        config: LlmConfig,
+        identity: str,
+        adapter: Path | None = None,
+        drafts: Path | None = None,
     ) -> None:
         """Load the file, which takes seconds and, for 1.5 B weights, 1.9 GB of memory.
 
@@ -47,12 +53,15 @@ class LocalModel:
             config: Threads, context and cache.
             identity: Changes when the file does; states are saved under it.
             adapter: A LoRA adapter (GGUF) for exactly this file, in force from the start.
+            drafts: What usually follows in what it writes (``app.llm.drafts``). It writes faster
+                with them, and tells no log-probabilities of a completion.
 
         Raises:
             ModelUnavailable: the library is absent or cannot load the file.
         """
         self.name = name
         self._context = config.context
+        self._tells_logprob = drafts is None  # The library tells none of tokens it foresaw.
         self._lock = threading.Lock()
         library = import_library()
         # The library serves HTTP beside our calls: on a socket that only this user can open.
@@ -77,6 +86,10 @@ class LocalModel:
             lora = library.CommonAdapterLoraInfo()
             lora.path, lora.scale = str(adapter), 1.0
             params.lora_adapters = [lora]
+        if drafts is not None:
+            foreseeing = library.common_speculative_type.COMMON_SPECULATIVE_TYPE_NGRAM_CACHE
+            params.speculative.types = [foreseeing]
+            params.speculative.ngram_cache.lookup_cache_static = str(drafts)
         try:
             self._server = library.Server(params)
         except RuntimeError as error:
@@ -171,7 +184,7 @@ class LocalModel:
         }
         if request.grammar:
             body["grammar"] = request.grammar
-        if request.logprob:
+        if request.logprob and self._tells_logprob:
             body["n_probs"] = 1
         stream = Stream(on_text)
         self._server.handle_completions(body, stream)
@@ -203,7 +216,7 @@ class LocalBackend:
         if adapter is None:
             return LocalModel(path, spec.name, config, weights.sha256)
         identity = f"{weights.sha256} {adapter.sha256}"
-        return LocalModel(path, spec.name, config, identity, adapter.path)
+        return LocalModel(path, spec.name, config, identity, adapter.path, adapter.drafts)
 
 
 def _batch(path: Path) -> int:
