@@ -36,6 +36,9 @@ def belonging(name: str, kind: ThingClass) -> float:
     core = head_first(name)
     if not core:
         return 0.0
+    whole = normal(" ".join(without_marks(words(name))))
+    if " " in whole and (whole in kind.never or whole in kind.members):
+        return CERTAIN if whole in kind.members else 0.0  # A tin of tuna is listed as that.
     before = {"toy": TOYLIKE, "stuffed animal": CUDDLY}.get(kind.name, frozenset())
     if before & set(core[:-1]) and normal(" ".join(core)) not in kind.never:
         return CERTAIN
