@@ -1,7 +1,8 @@
 """Classes of things as people speak of them, and whether a thing belongs to one.
 
 ``static/knowledge/classes.json`` holds what WordNet has wrong or does not know: for each class its
-other names, its nouns, what counts as one only perhaps, what never does, where in WordNet more are
+other names, its nouns, what counts as one only as it stands (a ``file`` smooths, a ``card file``
+does not), what counts as one only perhaps, what never does, where in WordNet more are
 found, classes that are parts of it, and what its things are used for. In a class with ``contents``
 a container of the thing counts too (a ``ketchup bottle`` is a condiment).
 """
@@ -45,6 +46,8 @@ class ThingClass:
 
     name: str
     members: frozenset[str]
+    alone: frozenset[str]
+    """Members only as they stand, not as the end of a longer name."""
     perhaps: frozenset[str]
     never: frozenset[str]
     roots: frozenset[str]
@@ -97,6 +100,7 @@ class Classes:
             self._made[name] = ThingClass(
                 name,
                 frozenset(members - never),
+                frozenset(_listed(entry, "alone")),
                 frozenset(perhaps - members),
                 never,
                 frozenset(roots),
@@ -129,7 +133,7 @@ class Classes:
                 self._uses.append((used, name))
         for use in _terms(entry, "uses"):
             self._uses.append((_stems(words(use)), name))
-        for key in ("nouns", "perhaps"):
+        for key in ("nouns", "alone", "perhaps"):
             for noun in _listed(entry, key):
                 self._known.setdefault(noun, set()).add(name)
 

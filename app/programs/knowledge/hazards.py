@@ -9,7 +9,13 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from app.programs.knowledge.classes import FIGURES, ThingClass, classes, normal
+from app.programs.knowledge.classes import (
+    FIGURES,
+    PLAIN_ADJECTIVES,
+    ThingClass,
+    classes,
+    normal,
+)
 from app.programs.knowledge.membership import TOYLIKE, belonging, endings, head_first
 
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "hazards.json"
@@ -97,7 +103,8 @@ def _named(name: str, nouns: frozenset[str]) -> bool:
     for place, ending in enumerate(endings(head_first(name))):
         if ending in nouns:
             return True
-        if place == 0 and " " in ending and classes().knows(ending):
+        plain = ending.split()[0] in PLAIN_ADJECTIVES  # An old laptop is one.
+        if place == 0 and " " in ending and not plain and classes().knows(ending):
             return False
     return False
 

@@ -36,6 +36,11 @@ def belonging(name: str, kind: ThingClass) -> float:
     core = head_first(name)
     if not core:
         return 0.0
+    whole = normal(" ".join(without_marks(words(name))))
+    if " " in whole and (whole in kind.never or whole in kind.members):
+        return CERTAIN if whole in kind.members else 0.0  # A tin of tuna is listed as that.
+    if kind.alone and _bare(name, core) in kind.alone:
+        return CERTAIN
     before = {"toy": TOYLIKE, "stuffed animal": CUDDLY}.get(kind.name, frozenset())
     if before & set(core[:-1]) and normal(" ".join(core)) not in kind.never:
         return CERTAIN
@@ -49,6 +54,16 @@ def belonging(name: str, kind: ThingClass) -> float:
         held = _contents(name, core)
         direct = max([direct, *(0.85 * _by_endings(each, kind) for each in held)])
     return direct
+
+
+def _bare(name: str, core: tuple[str, ...]) -> str:
+    """The name without what is plainly said of it: an old jar is a jar, a jar of honey more."""
+    if without_marks(words(name))[-len(core) :] != core:
+        return ""
+    start = 0
+    while start < len(core) - 1 and core[start] in PLAIN_ADJECTIVES:
+        start += 1
+    return normal(" ".join(core[start:]))
 
 
 def _tells(core: tuple[str, ...]) -> bool:

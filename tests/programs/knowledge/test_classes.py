@@ -58,6 +58,22 @@ def test_a_bottle_of_something_counts_where_its_contents_do():
     assert belonging("peach can", classes().named("fruit")) < 0.5
 
 
+def test_a_name_listed_as_a_whole_counts_whatever_its_head_is():
+    tinned, onions = classes().named("tinned fish"), classes().named("allium")
+    assert belonging("tin of tuna", tinned) == 1
+    assert belonging("tuna steak", tinned) == 0
+    assert belonging("onion ring", onions) == 0
+    assert belonging("onion slice", onions) > 0.5
+
+
+def test_what_counts_alone_counts_in_no_longer_name():
+    glass = classes().named("glass recycling")
+    assert belonging("old jar", glass) == 1
+    assert belonging("pile of jars", glass) == 1
+    assert belonging("clay jar", glass) == 0
+    assert belonging("jar of honey", glass) == 0
+
+
 def test_every_class_named_in_the_file_can_be_read():
     for name in classes().names():
         assert classes().named(name).name == name
