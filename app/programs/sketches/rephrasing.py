@@ -231,7 +231,7 @@ def _listed(text: str) -> str:
 
 def _without_stays(text: str) -> str:
     """Without sentences that something stays where it is, unless they take it out of a whole."""
-    parts = re.split(r"(?<=[.!;])\s+", text)
+    parts = re.split(r"(?<=[.!?;])\s+", text)
     kept = [each for each in parts if not STAYS.match(each.strip())]
     silent = (_NONE, _STATE)
     kept = [p for p in kept if not any(each.match(p.strip()) for each in silent)] or kept
