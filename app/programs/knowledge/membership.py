@@ -41,7 +41,7 @@ def belonging(name: str, kind: ThingClass) -> float:
         return CERTAIN
     if kind.likenesses and len(core) > 1 and core[-1] in FIGURES:
         core = core[:-1]
-    cut = len(core) > 1 and core[-1] in CUTS
+    cut = len(core) > 1 and core[-1] in CUTS and not _word_of_its_own(core)
     direct = 0.0 if cut and _tells(core[:-1]) else _by_endings(core, kind)
     if not direct and cut:
         direct = 0.9 * _by_endings(core[:-1], kind)
@@ -49,6 +49,12 @@ def belonging(name: str, kind: ThingClass) -> float:
         held = _contents(name, core)
         direct = max([direct, *(0.85 * _by_endings(each, kind) for each in held)])
     return direct
+
+
+def _word_of_its_own(core: tuple[str, ...]) -> bool:
+    """Whether it is no part of something to eat: a signet ring is a ring."""
+    eaten = classes().named("food")
+    return nouns().knows(normal(" ".join(core))) and _by_endings(core[:-1], eaten) < PERHAPS
 
 
 def _tells(core: tuple[str, ...]) -> bool:

@@ -55,6 +55,8 @@ class Thing:
             return YES if colour in named else NO
         told = self.item.colour or self.property("colour") or self.property("color")
         typical = typical_colours(self.name)
+        if colour in self.materials():  # Silver is a metal, too.
+            return YES
         if told and (colour_word(told) == colour or colour in words(told)):
             return YES
         if colour in typical:
