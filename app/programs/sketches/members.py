@@ -9,6 +9,7 @@ from app.programs.knowledge.classes import normal
 from app.programs.knowledge.names import words
 from app.programs.sketches.arguments import Arguments
 from app.programs.sketches.course import Course
+from app.programs.sketches.denied import undenied
 from app.programs.sketches.heights import piled
 from app.programs.sketches.phrase import describe_phrase
 from app.programs.sketches.qualities import ordered
@@ -87,6 +88,7 @@ class Members:
         told = described.colours or described.materials or described.sizes
         if described.vague and (not told or self._arguments.elliptic(argument)):
             found = movable(found, self._selection, placed=bool(fixed))
+        found = undenied(found, described, self._selection.things, self._selection.sentence)
         found = ordered(found, piled(argument.order, self._selection.sentence))
         argument = halved(argument, self._selection.sentence, len(found))
         argument = left_over(argument, self._selection.sentence, len(found))
