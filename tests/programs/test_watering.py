@@ -27,6 +27,9 @@ THINGS = read_things(
             "pour the water jug on the mint, and spare the fern.",
         ),
         ("water the rose from the kettle, please", "pour the kettle on the rose, please"),
+        ("pop round all the plants with the water jug", "pour the water jug on all the plants"),
+        ("The rose needs watering. Use the kettle.", "pour the kettle on the rose."),
+        ("pour some water in each of the cups", "pour the water in all the cups"),
         ("Give my fern a bit of a splash.", "pour the watering can on my fern."),
     ],
 )
@@ -41,6 +44,8 @@ def test_who_gets_a_drink_has_the_vessel_poured_on_it(said, told):
         "I need a drink of water",
         "put the rose in the water jug",
         "Take the kettle and give it a rinse.",
+        "I'll water the rose myself.",
+        "what you water the rose with goes by the door",
     ],
 )
 def test_nothing_else_is_watered(said):
