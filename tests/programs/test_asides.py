@@ -29,6 +29,7 @@ from app.programs.sketches.asides import without_thoughts
             "Close every box but the blue one. Leave the trunk alone.",
         ),
         ("Someone's left the hen house wide open. Shut it quickly.", "Shut the hen house quickly."),
+        ("Open the chest, then the case.", "Open the chest and then open the case."),
         ("open the place where we keep the bread", "open the thing where we keep the bread"),
         (
             "What do we dig with? Right. Wheelbarrow, please.",
@@ -50,6 +51,8 @@ def test_what_is_said_besides_is_put_aside(said, meant):
         "Put the cup on the tray.",
         "What can I do? Put the cup on the tray.",
         "We left the box open. Put the cup in it.",
+        "gather up the veg and dump it all in the pot",
+        "Hand the key over to the porter.",
         "I'm still hungry, so put the bun on the plate.",
     ],
 )

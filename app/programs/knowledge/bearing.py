@@ -20,6 +20,7 @@ VESSELS = word_list("vessels")
 """They stand for what can be poured, eaten or used up: no ``flower pot`` for a flower."""
 _DISHES = frozenset(("bowl", "cup", "mug", "glass", "plate", "dish", "bucket", "basket"))
 """They stand for what is said to be in them: a bowl of porridge."""
+_AMOUNTS = frozenset(("stack", "pile", "heap", "bunch", "bundle", "batch", "portion", "punnet"))
 _DOSES = word_list("doses")
 _PLANTS = word_list("plants")
 _SHEETS = word_list("sheets")
@@ -82,7 +83,7 @@ def holds_another(name: str, held: str) -> bool:
 
 
 def _bears(head: str, held: str) -> bool:
-    if head in _DOSES | _SHEETS:
+    if head in _DOSES | _SHEETS | _AMOUNTS:
         return True
     if head in VESSELS | HOLDERS:
         return _consumed(held)

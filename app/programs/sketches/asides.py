@@ -22,12 +22,16 @@ _THOUGHT = re.compile(
 """I was going to say the drawer, but it is full, so put it on the tray."""
 _INSTEAD = re.compile(r",? instead(?=[.,;!?]|$)", re.I)
 _IT_ALL = re.compile(
-    r"\b(?P<deed>put|pack|pop|chuck|stick|throw|bung|shove|sling|dump|load|tidy|move|get|stuff|tip|bring|take|place)"
+    r"(?<!\band )(?<!\bthen )\b(?P<deed>put|pack|pop|chuck|stick|throw|bung|shove|sling|dump|load|tidy|move|get|stuff|tip|bring|take|place)"
     r" (?:(?:it|this|that) all|(?:the|this) (?:whole )?(?:lot|caboodle|shebang))"
     r"(?= (?:away |back |down |over |straight )?(?:in|into|inside|on|onto|to|except|bar|but)\b)",
     re.I,
 )
-_OVER_TO = re.compile(r"\b(?:over|across|along|up) to (?=(?:the|my|your|that|this|our)\b)", re.I)
+_OVER_TO = re.compile(
+    r"\b(?P<deed>(?:push|shove|nudge|shift|slide|scoot|prod|knock|roll|poke)\b[^.,;:!?]*?) (?:over|across|along) to "
+    r"(?=(?:the|my|your|that|this|our)\b)",
+    re.I,
+)
 _NOT_DONE = re.compile(
     r"^(?:i|we|he|she|they)(?:'m| am|'re| are|'ve| have|'s| is| has)?(?:n't| not)(?: quite| yet| really)? "
     r"(?:finished|done)(?: with| using| reading) (?P<what>[^.!?;]+)[.!]?$|"
@@ -44,13 +48,19 @@ _LEFT_OPEN = re.compile(
     re.I,
 )
 """Somebody left the hen house open. Shut it."""
+_THEN_TOO = re.compile(
+    r"\b(?P<deed>open|close|shut|push) (?P<one>(?:the|my) [\w' -]+?),? (?:and )?then (?P<other>(?:the|my) [\w' -]+?)"
+    r"(?=[.!?]|$)",
+    re.I,
+)
+"""Open the chest, then the case."""
 _PLACE = re.compile(
     r"\b(?:the|that) (?:place|spot|bit|part|one) where (?=(?:the|my|our|your|we|i|you|he|she|they|one|people)\b)",
     re.I,
 )
 _ASKED = re.compile(
-    r"(?:^|(?<=[.!] ))what (?:do|would|should|can|could) (?P<use>(?:i|you|we|one|they) [^?.!,]+?)\? "
-    r"(?:(?:right|well|ok|okay|exactly|yes|good|correct|that)\b[.,!:]? )*(?P<where>(?:(?:in|into|on|onto) )?[^.,?!]+?)(?P<end>,? please)?(?=[.!?]|$)",
+    r"^what (?:do|would|should|can|could) (?P<use>(?:i|you|we|one|they) [^?.!,]+?)\? "
+    r"(?:(?:right|well|ok|okay|exactly|yes|good|correct|that)\b[.,!:]? )*(?P<where>(?:(?:in|into|on|onto) )?[^.,?!]+?)(?: with (?:it|that))?(?P<end>,? please)?(?=[.!?]|$)",
     re.I,
 )
 """What do we dig with? Right. Wheelbarrow, please."""
@@ -59,8 +69,14 @@ _PARTS = re.compile(r"(?<=[.!?;])\s+")
 
 def without_thoughts(sentence: str) -> str:
     """The sentence with what it asks for in the end, and what is still in use told to be left."""
-    text = _OVER_TO.sub("to ", _IT_ALL.sub(r"\g<deed> everything", sentence))
+    text = _OVER_TO.sub(r"\g<deed> to ", _IT_ALL.sub(r"\g<deed> everything", sentence))
     text = _PLACE.sub("the thing where ", _LEFT_OPEN.sub(r"\g<deed> \g<what>", text))
+    text = _THEN_TOO.sub(
+        lambda found: (
+            f"{found['deed']} {found['one']} and then {found['deed'].lower()} {found['other']}"
+        ),
+        text,
+    )
     text = _ASKED.sub(_answered, text)
     if _THOUGHT.search(text):
         text = _INSTEAD.sub("", _THOUGHT.sub("", text))

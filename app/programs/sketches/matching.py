@@ -19,6 +19,7 @@ from app.programs.knowledge.classes import (
 )
 from app.programs.knowledge.membership import belonging, endings
 from app.programs.knowledge.names import NUMBERS, is_mark, plain, stem
+from app.programs.knowledge.properties import FRUITY
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
 from app.programs.knowledge.wordnet import nouns
@@ -75,6 +76,8 @@ def _words_fit(thing: Thing, core: tuple[str, ...]) -> float:
     """The best kind of evidence that these words, head last, mean the thing."""
     if len(core) == 1 and core[0] == dict(thing.item.properties).get("material", "").lower():
         return MEMBER  # "the glass goes to the green bin"
+    if core[-1] == "glasses" and thing.core[-1:] == ("glass",):
+        core = (*core[:-1], "glass")  # They are to drink from, then.
     wanted = normal(" ".join(core))
     if thing.words == core or normal(" ".join(thing.words)) == wanted:
         return SAME_WORDS
@@ -126,7 +129,7 @@ def _loose_fit(thing: Thing, wanted: str, names: Sequence[str]) -> float:
     if set(said) <= set(had) and (told or _holds(thing, wanted)):
         return MODIFIER
     stems, others = {stem(each) for each in said}, {stem(each) for each in thing.words}
-    known = classes().knows(wanted) and wanted not in PLAIN_ADJECTIVES
+    known = classes().knows(wanted) and wanted not in PLAIN_ADJECTIVES - FRUITY
     if stems <= others and min(map(len, stems)) > 3 and not known:
         return LOOSE
     return 0.0

@@ -59,7 +59,9 @@ _ONE_FOR = re.compile(r"\b(?:that(?:'s| is)|it(?:'s| is)) one for (?=(?:the|my)\
 """That's one for the bin."""
 _CLEARED = re.compile(
     r"\bclear (?:off |out )?(?:the |my |this )(?:whole |entire )?"
-    r"(?:desk|table|tabletop|counter|bench|workbench|worktop|place) (?=(?:into|onto|in|to)\b)",
+    r"(?:desk|table|tabletop|counter|bench|workbench|worktop|place) (?=(?:into|onto|in|to)\b)|"
+    r"^(?:put |get |take |move )?everything (?:off|from) (?:the|my|this) (?:desk|table|tabletop|counter|bench|workbench|worktop)"
+    r"(?:,? and)? (?:goes |go )?(?=(?:into|onto|in|on|to) (?:the|my|that)\b)",
     re.I,
 )
 _WITH_EXCEPTION = re.compile(r",? with the (?:sole |single |one )?exception of ", re.I)

@@ -165,8 +165,8 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
                 return near[0]
         if len(word) < 4 or word in singulars | _ENGLISH or is_english(word):
             return match[0]
-        surely = SURELY if len(word) < LONG else ALIKE
-        kind = _nearest(word, _kinds(), surely) if len(word) > 4 else None
+        kind = _nearest(word, _kinds(), SURELY) if len(word) > 4 else None
+        kind = kind or _misspelt_kind(word)
         return _nearest(word, singulars) or kind or _slipped(word) or match[0]
 
     return " ".join(re.sub(r"(?<!\d)[^\W\d_]+", mend, sentence).split())
@@ -211,10 +211,17 @@ def _paired(sentence: str, names: Sequence[str]) -> str:
 @cache
 def _kinds() -> frozenset[str]:
     """Words for classes of things, and for colours."""
-    heads = {each.rpartition(" ")[2] for each in classes().names()}
-    named = {each for each in heads if each.isalpha() and len(each) > 3}
+    named = {each for each in classes().names() if each.isalpha() and len(each) > 3}
+    named |= {head for each in classes().names() if len(head := each.rpartition(" ")[2]) > 6}
     several = {f"{each}s" for each in named} | {f"{each[:-1]}ies" for each in named}
     return frozenset(named | several | set(COLOUR_WORDS))
+
+
+def _misspelt_kind(word: str) -> str | None:
+    """The long class word of as many letters that this one is, though more of it is wrong."""
+    if len(word) < LONG:
+        return None
+    return _nearest(word, {each for each in _kinds() if abs(len(each) - len(word)) < 2}, ALIKE)
 
 
 def _slipped(word: str) -> str | None:
