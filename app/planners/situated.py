@@ -10,6 +10,7 @@ from app.planners import planners
 from app.programs.sketches.allotting import allotted
 from app.programs.sketches.conversation import understood
 from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
+from app.programs.sketches.graded import graded
 from app.programs.sketches.greetings import answer_greeting
 from app.programs.sketches.leaving_out import completed
 from app.programs.sketches.offering import with_offer
@@ -17,12 +18,13 @@ from app.programs.sketches.pieces import named_places, pieces
 from app.programs.sketches.pointing import pointed
 from app.programs.sketches.reader import Reader
 from app.programs.sketches.refusals import refuse_place_beside
-from app.programs.sketches.rereading import without_asides
+from app.programs.sketches.rereading import only_order, without_asides
 from app.programs.sketches.retelling import places_used
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.swapping import swap
 from app.programs.sketches.things import read_things
 from app.programs.sketches.verbs import asked_verbs
+from app.programs.sketches.watering import watered
 from app.programs.sketches.wording import plain_english
 
 
@@ -65,6 +67,9 @@ class Situated:
             return reader.draft(reader.transcript(sentence), back, 1.0)
         if swapped := swap(task, sentence, selection):
             return reader.draft(reader.transcript(sentence), swapped, 1.0)
+        if any(action.name == "pour" for action in task.actions):
+            sentence = watered(sentence, selection.things)
+        sentence = graded(sentence, selection)
         refuse_place_beside(sentence, task.actions)
         sentence = completed(
             allotted(pointed(sentence, selection), selection), selection, task.actions
@@ -79,13 +84,20 @@ class Situated:
         except TaskDeclined as declined:
             if declined.kind != "absent":
                 raise
-            shorter = without_asides(sentence, read_things(task.scene.objects))
-            again = _again(reader, [shorter]) if shorter else None
-            again = again or _in_pieces(reader, sentence, task, None)
+            again = _in_other_words(reader, sentence, task)
             if again is None:
                 raise
             return again
         return _in_pieces(reader, sentence, task, draft) or draft
+
+
+def _in_other_words(reader: Reader, sentence: str, task: Task) -> Draft | None:
+    """The draft of what is left of a sentence that names something that is not there."""
+    things = read_things(task.scene.objects)
+    for shorter in (without_asides(sentence, things), only_order(sentence, things)):
+        if shorter and (again := _again(reader, [shorter])):
+            return again
+    return _in_pieces(reader, sentence, task, None)
 
 
 def _in_pieces(reader: Reader, sentence: str, task: Task, draft: Draft | None) -> Draft | None:

@@ -1,7 +1,7 @@
 import pytest
 
 from app.domain.scene import SceneObject
-from app.programs.sketches.rereading import without_asides
+from app.programs.sketches.rereading import only_order, without_asides
 from app.programs.sketches.things import read_things
 
 THINGS = read_things(
@@ -33,3 +33,38 @@ def test_clauses_that_speak_of_nothing_that_is_there_are_left_out(said, kept):
 )
 def test_what_orders_something_is_never_left_out_nor_all_of_a_sentence(said):
     assert without_asides(said, THINGS) is None
+
+
+@pytest.mark.parametrize(
+    ("said", "kept"),
+    [
+        (
+            "One jam jar in box one is enough, he's only going to the park.",
+            "One jam jar in box one is enough",
+        ),
+        (
+            "Newspaper in box two before she sees the crossword, doesn't matter how.",
+            "Newspaper in box two",
+        ),
+    ],
+)
+def test_reasons_are_left_out(said, kept):
+    assert without_asides(said, THINGS) == kept
+
+
+def test_it_is_the_one_thing_that_is_spoken_of():
+    said = "Who opened the jam jar? The wasps can smell it from the garden, so close it, will you."
+    assert only_order(said, THINGS) == "close the jam jar, will you."
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "Put the lemon in box one and close it.",
+        "The jam jar and the newspaper are a mess, so move it.",
+        "Please fetch the hammer. The jam jar is open, so close it.",
+        "The wasps like the jam jar.",
+    ],
+)
+def test_what_else_is_ordered_is_not_passed_over(said):
+    assert only_order(said, THINGS) is None

@@ -72,3 +72,28 @@ def test_a_tower_of_colours_is_of_blocks_not_of_bowls(said):
         for name in ("red block", "green block", "red bowl", "green bowl")
     )
     assert tower(said, things) == [("red block", "green block")]
+
+
+def test_what_goes_without_something_has_none_of_it():
+    said = "a burger from the bottom up: bun bottom, patty, bun top, and no onion or pickle for me"
+    assert told(said, "bun bottom", "patty", "bun top", "pickle") == [
+        ("patty", "bun bottom"),
+        ("bun top", "patty"),
+    ]
+
+
+def test_a_slice_is_called_by_what_it_is_of():
+    said = "slice of rye on the plate, cheese on the rye, cress on the cheese"
+    assert told(said, "slice of rye", "slice of cheese", "cress", "plate") == [
+        ("slice of rye", "plate"),
+        ("slice of cheese", "slice of rye"),
+        ("cress", "slice of cheese"),
+    ]
+
+
+def test_ones_are_told_apart_by_all_that_stands_before_their_noun():
+    said = "pile the cushions: garden chair one first, sofa one on top of that, cat one last"
+    assert told(said, "garden chair cushion", "sofa cushion", "cat cushion") == [
+        ("sofa cushion", "garden chair cushion"),
+        ("cat cushion", "sofa cushion"),
+    ]

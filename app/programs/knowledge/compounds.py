@@ -1,5 +1,6 @@
 """Class names written in one word → the words they are made of: ``washingmachine``."""
 
+from collections.abc import Collection
 from functools import cache
 
 from app.programs.knowledge.classes import classes, normal
@@ -43,3 +44,12 @@ def _known(word: str) -> bool:
     return any(
         known(each) for known in (nouns().knows, classes().knows) for each in (word, normal(word))
     )
+
+
+def parted(name: str, heads: Collection[str]) -> tuple[str, ...]:
+    """The two words of a name in one that ends with one of the heads: ``teapot``; the name where it does not."""
+    for place in range(_SHORTEST, len(name) - 2):
+        first, head = name[:place], name[place:]
+        if head in heads and _known(first):
+            return first, head
+    return (name,)

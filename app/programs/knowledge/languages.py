@@ -22,6 +22,8 @@ _ELIDED = re.compile(r"\b[ldLD]['\u2019](?=\w)")
 _ADJECTIVES = word_list("adjectives")
 _JOINTS = ("", "n", "en", "s", "e", "er")
 """What stands between the two words of a compound."""
+_LONG = 5
+"""Letters of the first word, where the second is as short as Dutch "la", a drawer."""
 _ENDINGS = ("en", "er", "es", "em", "e", "n", "s", "i")
 """What a plural or a case adds."""
 
@@ -59,6 +61,35 @@ def _english(word: str, *, rare: bool) -> bool:
     )
 
 
+def together(sentence: str) -> str:
+    """With German and Dutch verbs of two parts in one: "mach die Dose zu", "doe de la open"."""
+    for pattern, verbs in _PARTED:
+        sentence = pattern.sub(
+            lambda found, verbs=verbs: f"{verbs[found['part'].lower()]} {found['what']}", sentence
+        )
+    return sentence
+
+
+_PARTED = (
+    (
+        re.compile(
+            r"\bmach(?:st|t|e|en)?\b(?: (?:du|ihr|sie)\b)?(?: bitte)?(?: mal)? (?P<what>[^.,;!?]*?) (?P<part>auf|zu)\b"
+            r"(?=\s*(?:[.,;!?]|$|und\b))",
+            re.I,
+        ),
+        {"auf": "öffne", "zu": "schließe"},
+    ),
+    (
+        re.compile(
+            r"\b(?:doe|doet|maak|maakt)\b(?: je\b)?(?: even| eens)* (?P<what>[^.,;!?]*?) (?P<part>open|dicht)\b"
+            r"(?=\s*(?:[.,;!?]|$|en\b))",
+            re.I,
+        ),
+        {"open": "open", "dicht": "sluit"},
+    ),
+)
+
+
 def translated(word: str, wanted: Collection[str] = ()) -> str | None:
     """The English for a word as ``plain`` makes it, whatever its ending.
 
@@ -75,18 +106,26 @@ def _meanings(word: str) -> tuple[str, ...]:
         return table[word]
     for ending in _ENDINGS:
         stem = word.removesuffix(ending)
-        if stem != word and len(stem) > 2 and (stem in table or f"{stem}e" in table):
-            return table.get(stem) or table[f"{stem}e"]
+        if stem != word and len(stem) > 2 and _ending_in(stem, ending):
+            return _ending_in(stem, ending)
     if match := re.fullmatch(r"(.+)([aeou])([^aeiou])en", word):  # Dutch potloden of potlood
         return table.get(f"{match[1]}{match[2] * 2}{match[3]}", ())
     return _compound(word)
+
+
+def _ending_in(stem: str, ending: str) -> tuple[str, ...]:
+    """The meanings of the stem, whatever a plural or a case added: Italian biscotti are of biscotto."""
+    vowels = ("o", "e", "") if ending == "i" else ("", "e")
+    return next((found for each in vowels if (found := _table().get(f"{stem}{each}"))), ())
 
 
 def _compound(word: str) -> tuple[str, ...]:
     """A word of two in one, as German and Dutch make them: the Küchenschublade is a kitchen drawer."""
     table = _table()
     found: list[str] = []
-    for cut in range(3, len(word) - 3):
+    for cut in range(3, len(word) - 1):
+        if len(word) - cut < 4 and cut < _LONG:
+            continue
         second = table.get(word[cut:], ())
         stems = [word[:cut].removesuffix(joint) for joint in _JOINTS if second]
         first = [
@@ -103,5 +142,6 @@ def _table() -> dict[str, tuple[str, ...]]:
     for english, others in entries.items():
         for other in others.split(","):
             word = " ".join(words(plain(other)))
-            found[word] = (*found.get(word, ()), english)
+            for form in {word, word.replace("'", " ")}:
+                found[form] = (*found.get(form, ()), english)
     return found

@@ -46,7 +46,7 @@ def belonging(name: str, kind: ThingClass) -> float:
         return CERTAIN
     if kind.likenesses and len(core) > 1 and core[-1] in FIGURES:
         core = core[:-1]
-    cut = len(core) > 1 and core[-1] in CUTS
+    cut = len(core) > 1 and core[-1] in CUTS and not _word_of_its_own(core)
     direct = 0.0 if cut and _tells(core[:-1]) else _by_endings(core, kind)
     if not direct and cut:
         direct = 0.9 * _by_endings(core[:-1], kind)
@@ -64,6 +64,12 @@ def _bare(name: str, core: tuple[str, ...]) -> str:
     while start < len(core) - 1 and core[start] in PLAIN_ADJECTIVES:
         start += 1
     return normal(" ".join(core[start:]))
+
+
+def _word_of_its_own(core: tuple[str, ...]) -> bool:
+    """Whether it is no part of something to eat: a signet ring is a ring."""
+    eaten = classes().named("food")
+    return nouns().knows(normal(" ".join(core))) and _by_endings(core[:-1], eaten) < PERHAPS
 
 
 def _tells(core: tuple[str, ...]) -> bool:

@@ -79,7 +79,11 @@ def without_excluded(kept: Fits, excluded: Description, fitting: Fitting) -> Fit
         out = {thing.name for thing, _ in fitting(use, ())}
     if not out & {thing.name for thing, _ in kept}:
         out = {t.name for t, _ in kept if _in_name(excluded, t)}
-    return [(thing, score) for thing, score in kept if thing.name not in out]
+    left = [(thing, score) for thing, score in kept if thing.name not in out]
+    if left or excluded.vague:
+        return left
+    # Nobody asks for power tools without tools: they mean others.
+    return [pair for pair in kept if not _in_name(excluded, pair[0])]
 
 
 def _in_name(described: Description, thing: Thing) -> bool:

@@ -11,9 +11,10 @@ from collections.abc import Sequence
 
 from app.programs.knowledge.classes import normal
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.mentions import BARE, Mention
 from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
-from app.programs.sketches.towers import BARE, Mention, Pair
+from app.programs.sketches.towers import Pair
 
 FEWEST = 2
 """Containers of a list."""

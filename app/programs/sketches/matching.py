@@ -7,6 +7,7 @@ import difflib
 from collections.abc import Sequence
 from functools import lru_cache
 
+from app.programs.knowledge.bearing import VESSELS, holds_another, holds_the_same
 from app.programs.knowledge.classes import (
     HOLDERS,
     PLAIN_ADJECTIVES,
@@ -18,6 +19,7 @@ from app.programs.knowledge.classes import (
 )
 from app.programs.knowledge.membership import belonging, endings
 from app.programs.knowledge.names import NUMBERS, is_mark, plain, stem
+from app.programs.knowledge.properties import FRUITY
 from app.programs.knowledge.synonyms import mean_the_same
 from app.programs.knowledge.word_lists import word_list
 from app.programs.knowledge.wordnet import nouns
@@ -35,6 +37,7 @@ _SORTS = frozenset(
     ("brick", "set", "piece", "unit", "toy", "spool", "reel", "skein", "bobbin", "bar", "cube")
 )
 """Heads of a name that say less than what stands before them."""
+_CASES = frozenset(("box", "basket", "case", "bin", "bag", "chest"))
 _DISTRUSTED = frozenset(
     (("scissors", "tool"), ("book", "stationery"), ("block", "toy"), ("ball", "toy"))
 )
@@ -73,6 +76,8 @@ def _words_fit(thing: Thing, core: tuple[str, ...]) -> float:
     """The best kind of evidence that these words, head last, mean the thing."""
     if len(core) == 1 and core[0] == dict(thing.item.properties).get("material", "").lower():
         return MEMBER  # "the glass goes to the green bin"
+    if core[-1] == "glasses" and thing.core[-1:] == ("glass",):
+        core = (*core[:-1], "glass")  # They are to drink from, then.
     wanted = normal(" ".join(core))
     if thing.words == core or normal(" ".join(thing.words)) == wanted:
         return SAME_WORDS
@@ -87,6 +92,8 @@ def _words_fit(thing: Thing, core: tuple[str, ...]) -> float:
     use = core[0] in VAGUE and core[1:2] in (("to",), ("that",), ("which",))
     if found >= HEAD or len(core) == 1 or use:  # Something to light the candle is no candle.
         return found
+    if holds_the_same(thing.name, core):
+        return KIND
     return max(found, _modified_fit(thing, core))
 
 
@@ -115,11 +122,14 @@ def _loose_fit(thing: Thing, wanted: str, names: Sequence[str]) -> float:
     if names[0] in classes().names() and belonging(wanted, classes().named(names[0])) >= 0.8:
         return WIDER
     said, had = wanted.split(), [normal(each) for each in thing.words]
-    holds = normal(thing.core[-1]) in HOLDERS | _SORTS if thing.core else False
-    if set(said) <= set(had) and (holds or _holds(thing, wanted)):
+    head = normal(thing.core[-1]) if thing.core else ""
+    opaque = normal(" ".join(thing.core)) in _OPAQUE
+    holds = head in HOLDERS and not opaque and (len(said) > 1 or _is_held(thing, wanted))
+    told = holds or head in _SORTS
+    if set(said) <= set(had) and (told or _holds(thing, wanted)):
         return MODIFIER
     stems, others = {stem(each) for each in said}, {stem(each) for each in thing.words}
-    known = classes().knows(wanted) and wanted not in PLAIN_ADJECTIVES
+    known = classes().knows(wanted) and wanted not in PLAIN_ADJECTIVES - FRUITY
     if stems <= others and min(map(len, stems)) > 3 and not known:
         return LOOSE
     return 0.0
@@ -130,15 +140,26 @@ def _holds(thing: Thing, wanted: str) -> bool:
     return "of" in thing.words and normal(" ".join(thing.words)).endswith(f" of {wanted}")
 
 
+def _is_held(thing: Thing, wanted: str) -> bool:
+    """Whether all that the container holds ends with the word: juice, and no apple, is in a ``juice carton``."""
+    after = thing.words[thing.words.index("of") + 1 :] if "of" in thing.words else ()
+    before = after or thing.core[:-1]
+    return not before or normal(" ".join(before)).split()[-1] == wanted
+
+
 def _modified_fit(thing: Thing, core: tuple[str, ...]) -> float:
     """The head fits; what stands before it must show in the name, or be unknown."""
+    if holds_another(thing.name, " ".join(core[:-1])):
+        return 0.0
     for start in range(1, len(core)):
         head = _known_fit(thing, normal(" ".join(core[start:])))
         if head < COUNTS:
             continue
         if len(core) == start + 1 == 2 and _rivals(thing, core[0]):
             return 0.0
-        shown = [_shows(thing, each) for each in core[:start] if not is_mark(each)]
+        # Of a class that has a name of its own nothing is one for being of two others.
+        own = find_class(normal(" ".join(core))) is not None
+        shown = [_shows(thing, each, own=own) for each in core[:start] if not is_mark(each)]
         if any(is_mark(each) for each in core[:start]) and not shown:
             return 0.0
         if shown and all(shown):
@@ -156,12 +177,12 @@ def _rivals(thing: Thing, modifier: str) -> bool:
     return not mean_the_same(own, wanted) and classes().share(own, wanted)
 
 
-def _shows(thing: Thing, modifier: str) -> bool:
-    """Whether the name, the category or the class of the thing bears the modifier out."""
+def _shows(thing: Thing, modifier: str, *, own: bool) -> bool:
+    """Whether the name, the category or, if not ``own``, the class of the thing bears the modifier out."""
     wanted = normal(modifier)
     if wanted in {normal(each) for each in thing.words} or stem(modifier) in map(stem, thing.words):
         return True
-    kind = find_class(f"{modifier} thing")
+    kind = None if own else find_class(f"{modifier} thing")
     if kind and _member(thing, kind) >= COUNTS:
         return True
     return bool(thing.item.category and wanted in plain(thing.item.category).split())
@@ -218,7 +239,15 @@ def _ends_with(core: tuple[str, ...], wanted: str) -> float:
     kind = classes().find(wanted)
     if closed and kind:
         return (HEAD - 0.03) * (belonging(head, kind) >= COUNTS)
+    if closed and wanted in VESSELS | HOLDERS | _CASES and _contains(head):
+        return HEAD - 0.03
     return (HEAD - 0.03) * (closed and nouns().kind_of(head, wanted) >= 0.3)
+
+
+def _contains(name: str) -> bool:
+    """Whether it is a container, as far as anybody knows: a ``hatbox``, but no ``jukebox``."""
+    kind = classes().named("container")
+    return belonging(name, kind) >= COUNTS or not (nouns().knows(name) or classes().knows(name))
 
 
 def _transparent(thing: Thing) -> bool:

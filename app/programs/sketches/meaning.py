@@ -23,6 +23,13 @@ PLAINLY, USE_MARGIN = 0.6, 0.06
 several things that are meant, how far one may stay behind the likeliest."""
 SITUATED, LEAD = 0.35, 0.1
 """The likeness to a situation that is told beside, and how far the likeliest has to be ahead."""
+BARELY = 0.025
+"""The same where the words say that the situation tells which one is meant."""
+_REQUISITE = re.compile(
+    r"\b(?:necessary|right|proper|appropriate|requisite|required|needed|correct|relevant|suitable|obvious) "
+    r"(?:implement|tool|utensil|gadget|device|instrument|thing|item|object|piece of equipment|kit|article)\b",
+    re.I,
+)
 _WISH = re.compile(
     r"\b(?:what(?:ever)?|(?:some|any)thing|the (?:thing|one|object|item|tool|implement|gadget|device))"
     r"(?:'s gonna|'s going to|'ll)?(?: that| which)? (?:(?:i|you|we|people|one|they|he|she|to|for)\b|\w+s (?:you|me|us|one|the|my|your|that|this|his|her|it)\b|"
@@ -114,11 +121,27 @@ class Meaning:
         telling = [
             w for w in described.core[:-1] if normal(w) not in named | VAGUE and w != "other"
         ]
-        if self._judge is None or not telling:
+        if self._judge is None:
+            return None
+        if _REQUISITE.search(self._sentence):
+            return self._requisite(things)
+        if not telling:
             return None
         scores = self._judge(described.text, [(each.name, *uses(each.name)) for each in things])
         ahead = self._ahead(list(zip(scores, things, strict=True)))
         return ahead[0][0] if ahead else None
+
+    def _requisite(self, things: Sequence[Thing]) -> Thing | None:
+        """Of these, what the rest of the sentence calls for: "the necessary tool"."""
+        told = _REQUISITE.sub("", self._sentence)
+        clauses = [each for each in re.split(r"[;:.!?\u2014]+", told) if each.strip()]
+        if self._judge is None or not clauses:
+            return None
+        scores = self._judge(clauses[0], [(each.name, *uses(each.name)) for each in things])
+        (second, _), (best, thing) = sorted(zip(scores, things, strict=True), key=lambda s: s[0])[
+            -2:
+        ]
+        return thing if best >= max(SITUATED, second + BARELY) else None
 
     def _called_for(self, described: Description, without: Collection[str]) -> Fits:
         """What a situation calls for: "rain is forecast; pack what I will need"."""

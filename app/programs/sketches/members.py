@@ -9,6 +9,7 @@ from app.programs.knowledge.classes import normal
 from app.programs.knowledge.names import words
 from app.programs.sketches.arguments import Arguments
 from app.programs.sketches.course import Course
+from app.programs.sketches.denied import undenied
 from app.programs.sketches.heights import piled
 from app.programs.sketches.phrase import describe_phrase
 from app.programs.sketches.qualities import ordered
@@ -69,7 +70,7 @@ class Members:
                 for t in self._selection.things
                 if t.name not in avoid | self._course.named | self._course.taken
             ]
-            found = movable(self._others_said(free), self._selection)
+            found = movable(self._others_said(free), self._selection, placed=bool(fixed))
             if not found:
                 raise self._selection.absent("other thing")
             return found
@@ -86,7 +87,8 @@ class Members:
         described = describe_phrase(argument)
         told = described.colours or described.materials or described.sizes
         if described.vague and (not told or self._arguments.elliptic(argument)):
-            found = movable(found, self._selection)
+            found = movable(found, self._selection, placed=bool(fixed))
+        found = undenied(found, described, self._selection.things, self._selection.sentence)
         found = ordered(found, piled(argument.order, self._selection.sentence))
         argument = halved(argument, self._selection.sentence, len(found))
         argument = left_over(argument, self._selection.sentence, len(found))

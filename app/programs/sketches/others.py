@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from app.domain.planner import Turn
 from app.programs.knowledge.classes import classes, normal
 from app.programs.sketches.dialogue import calls_of, moved_before
+from app.programs.sketches.mentions import mentions
 from app.programs.sketches.naming import spoken
 from app.programs.sketches.questions import ambiguous
 from app.programs.sketches.things import Thing
-from app.programs.sketches.towers import mentions
 
 _OTHER = re.compile(
     r"\bthe (?P<other>other(?: one)?)(?=[\s,.!?]*$|,? (?:in|into|on|onto|to|too|as well|also|please|next|now)\b)",

@@ -10,9 +10,9 @@ from itertools import pairwise
 
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.lists import INTO
+from app.programs.sketches.mentions import Mention, mentions
 from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
-from app.programs.sketches.towers import Mention, mentions
 
 _CUT = re.compile(r"[,;.!](?=\s)|\s(?=(?:and|but|while|whereas) )")
 _KEEPING = word_list("keeping")
@@ -23,9 +23,14 @@ FEWEST_WORDS = 3
 
 
 def named_places(sentence: str, things: Sequence[Thing]) -> list[Mention]:
-    """Where the sentence names containers in full, each once."""
+    """Where the sentence names containers in full, or what something goes onto, each once."""
+    text = " ".join(sentence.lower().split())
     holders = {thing.name for thing in things if is_container(thing)}
-    found = [each for each in mentions(sentence, things) if each.name in holders]
+    found = [
+        each
+        for each in mentions(sentence, things)
+        if each.name in holders or INTO.search(text[: each.start])
+    ]
     return list({each.name: each for each in reversed(found)}.values())[::-1]
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from app.programs.knowledge.classes import classes, normal
+from app.programs.knowledge.classes import LIVELY, classes, normal
 from app.programs.knowledge.membership import belonging
 from app.programs.knowledge.names import plain, words
 from app.programs.knowledge.properties import typical_size
@@ -185,11 +185,31 @@ def far_larger(thing: Thing, target: Thing) -> bool:
         # A world measures what it does not know as a neutral box: the names have to say so too.
         smaller = mine is None or theirs is None or mine <= theirs
         return not smaller and sorted(thing.item.size)[1] > 1.2 * max(target.item.size)
-    return bool(mine and theirs and mine <= FURNITURE and mine > MISFIT * theirs)
+    if not (mine and theirs and mine > MISFIT * theirs):
+        return False
+    return mine <= FURNITURE or (is_tiny(target) and not _maybe_toy(thing))
 
 
 FURNITURE, MISFIT = 40.0, 3.5
 """Up to which typical size [cm], and by which factor, names alone tell that it cannot fit."""
+TINY = 7.0
+"""Up to which typical size [cm] hardly anything fits."""
+
+
+def is_tiny(target: Thing) -> bool:
+    """Whether it holds small things only, as a rule: a thimble, a cup."""
+    size = typical_size(target.name)
+    return size is not None and size <= TINY
+
+
+def _maybe_toy(thing: Thing) -> bool:
+    """Whether a thing of this name is as likely a toy, on a table."""
+    if (thing.told_size() or 0) > 0:
+        return False
+    return any(
+        belonging(thing.name, classes().named(kind)) >= COUNTS
+        for kind in LIVELY - {"musical instrument"}
+    )
 
 
 def affording(found: Fits, affordance: str | None) -> Fits:

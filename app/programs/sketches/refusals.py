@@ -8,8 +8,9 @@ from app.domain.errors import TaskDeclined
 from app.domain.program import ActionCall
 from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
+from app.programs.knowledge.solids import is_solid
 from app.programs.sketches.order import TOOLS
-from app.programs.sketches.qualities import far_larger, is_container
+from app.programs.sketches.qualities import far_larger, is_container, is_tiny
 from app.programs.sketches.questions import MOST_CHOICES
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sketch import Phrase, SketchCall
@@ -23,8 +24,11 @@ _BESIDE_IT = re.compile(
 )
 _WITHIN = r"\b(?:in(?! front)|on(?! the (?:left|right))|into|onto|inside|between)\b"
 _WITHIN_VERB = frozenset(("putin", "in", "on", "stack", "pour"))
+_STATES = frozenset(("open", "opened", "closed"))
 _UNPLACED = frozenset((*LITERAL, HANDOVER, "pick", "upright", "place_at"))
 """Verbs that say nothing of a place by another thing."""
+OPENING = ("open", "close")
+"""Verbs of things that have an inside, and states that they leave."""
 BESIDE = ("left_of", "right_of", "near", "behind", "in_front_of")
 
 
@@ -41,6 +45,8 @@ def refuse_harm(call: ActionCall, signature: ActionSignature, selection: Selecti
             kind="hazardous",
             question=f"Where on the table should the {names[0]} go instead?",
         )
+    if call.action in OPENING and names:
+        _refuse_solid(names[0], call.action, selection)
     place = place_of(signature, ())
     if place is None or len(names) != 2 or place > 1:
         return
@@ -91,8 +97,17 @@ def _refuse_misfit(name: str, place: str, selection: Selection) -> None:
     said = set(words(selection.sentence))
     if thing is None or target is None or not said & {"in", "into", "inside"}:
         return
-    if is_container(thing) and is_container(target) and far_larger(thing, target):
+    holds = is_tiny(target) or (is_container(thing) and is_container(target))
+    if holds and far_larger(thing, target):
         raise TaskDeclined(f"the {name} does not fit into the {place}", kind="impossible")
+
+
+def _refuse_solid(name: str, action: str, selection: Selection) -> None:
+    """Let what has an inside be opened, or what the scene tells to be open or closed."""
+    stated = {rel.arguments[0] for rel in selection.facts if rel.name in _STATES}
+    if name in stated or not is_solid(name):
+        return
+    raise TaskDeclined(f"the {name} is nothing that one can {action}", kind="impossible")
 
 
 def refuse_beside(call: SketchCall, sentence: str) -> None:

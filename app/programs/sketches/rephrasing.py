@@ -59,7 +59,9 @@ _ONE_FOR = re.compile(r"\b(?:that(?:'s| is)|it(?:'s| is)) one for (?=(?:the|my)\
 """That's one for the bin."""
 _CLEARED = re.compile(
     r"\bclear (?:off |out )?(?:the |my |this )(?:whole |entire )?"
-    r"(?:desk|table|tabletop|counter|bench|workbench|worktop|place) (?=(?:into|onto|in|to)\b)",
+    r"(?:desk|table|tabletop|counter|bench|workbench|worktop|place) (?=(?:into|onto|in|to)\b)|"
+    r"^(?:put |get |take |move )?everything (?:off|from) (?:the|my|this) (?:desk|table|tabletop|counter|bench|workbench|worktop)"
+    r"(?:,? and)? (?:goes |go )?(?=(?:into|onto|in|on|to) (?:the|my|that)\b)",
     re.I,
 )
 _WITH_EXCEPTION = re.compile(r",? with the (?:sole |single |one )?exception of ", re.I)
@@ -231,7 +233,7 @@ def _listed(text: str) -> str:
 
 def _without_stays(text: str) -> str:
     """Without sentences that something stays where it is, unless they take it out of a whole."""
-    parts = re.split(r"(?<=[.!;])\s+", text)
+    parts = re.split(r"(?<=[.!?;])\s+", text)
     kept = [each for each in parts if not STAYS.match(each.strip())]
     silent = (_NONE, _STATE)
     kept = [p for p in kept if not any(each.match(p.strip()) for each in silent)] or kept

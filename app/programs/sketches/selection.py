@@ -15,6 +15,7 @@ from app.programs.sketches.choosing import likeliest
 from app.programs.sketches.declared import as_declared
 from app.programs.sketches.description import Description
 from app.programs.sketches.excluding import heard, without_excluded
+from app.programs.sketches.fallbacks import made_so, of_kind, standing_for
 from app.programs.sketches.hearsay import without_history
 from app.programs.sketches.indefinite import any_one
 from app.programs.sketches.matching import (
@@ -41,7 +42,7 @@ from app.programs.sketches.questions import absent, ambiguous
 from app.programs.sketches.relating import origin, related
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.things import LIKELY, UNKNOWN, Thing
-from app.programs.sketches.whereabouts import spoken_of
+from app.programs.sketches.whereabouts import as_said, spoken_of
 from app.programs.sketches.whole_names import bare, whole_name, without_verb
 
 _REAL = frozenset(("real", "actual", "genuine", "proper", "true"))
@@ -161,7 +162,7 @@ class Selection:
         return self._wholly_fitting(phrase, without) or self._wholly_fitting(shorter, without)
 
     def _wholly_fitting(self, phrase: Phrase, without: Collection[str]) -> Fits:
-        phrase = without_history(spoken_of(phrase, self.sentence))
+        phrase = as_said(without_history(spoken_of(phrase, self.sentence)), self.sentence)
         phrase = heard(phrase, f"{self.sentence}. {self.asked}", self._fitting)
         phrase = whole_name(phrase, self.sentence, self.things)
         described = describe_phrase(phrase)
@@ -177,8 +178,8 @@ class Selection:
             found = self._named(replace(phrase, text=english), without)
         if not found:
             found = self._qualified(described, self._slips(described, without), False)
-        if not found and not nouns and phrase.quantity == "all":
-            found = self._made_so(described, without)
+        if not found and not nouns:
+            found = self._instead(described, without, many=phrase.quantity == "all")
         return found if found or nouns else self._told_perhaps(described, without)
 
     def _told_by_use(
@@ -216,12 +217,15 @@ class Selection:
         nouns = self._nouns(described, phrase, without)
         return self._qualified(described, nouns, phrase.quantity == "all")
 
-    def _made_so(self, described: Description, without: Collection[str]) -> Fits:
-        """What is declared to be of the material or the colour: "steel instruments" that none is."""
-        if not described.materials and not described.colours:
-            return []
+    def _instead(self, described: Description, without: Collection[str], *, many: bool) -> Fits:
+        """What the words mean that name nothing: what bears it, is of its material or of its kind."""
         free = [t for t in self.things if t.name not in without]
-        return [(t, COUNTS) for t in free if has_properties(t, described) >= LIKELY]
+        found = self._qualified(described, standing_for(described, free), False)
+        if found or not many:
+            return found
+        return made_so(described, free) or self._qualified(
+            described, of_kind(described, free), True
+        )
 
     def _referred(self, described: Description, without: Collection[str]) -> Fits:
         """What "it" and "them" stand for: what the turn before moved."""

@@ -52,13 +52,16 @@ def _shared_by_names(said: Sequence[str], things: Sequence[Thing]) -> str | None
 _EVERYTHING = frozenset(("all", "whatever", "what", "it", "them", "lot", "both", "every", "each"))
 
 
-def movable(found: Sequence[Thing], selection: Selection) -> list[Thing]:
-    """What "everything" means: no furniture, and nothing that stands there to be filled."""
+def movable(found: Sequence[Thing], selection: Selection, *, placed: bool = False) -> list[Thing]:
+    """What "everything" means: no furniture, and nothing that stands there to be filled.
+
+    Where another place is told (``placed``), plates and bowls are things like others.
+    """
     kept = [t for t in found if not _stores(t)] or list(found)
     serving = [t for t in kept if t.core and normal(t.core[-1]) in _SERVING]
     others = [t for t in kept if t not in serving]
     crockery = [t for t in others if _is(t, "dish") or _is(t, "cutlery")]
-    if serving and others and not crockery:
+    if serving and others and not crockery and not placed:
         kept = others
     held = {t.name for t in kept if any(selection.rests(t.name, other.name) for other in kept)}
     return [t for t in kept if t.name not in held] or list(kept)

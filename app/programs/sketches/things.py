@@ -21,6 +21,7 @@ from app.programs.knowledge.properties import (
     typical_size,
 )
 
+METAL = "metal"
 YES, LIKELY, UNKNOWN, NO = 1.0, 0.9, 0.5, 0.0
 """How surely a thing has a property."""
 
@@ -55,6 +56,11 @@ class Thing:
             return YES if colour in named else NO
         told = self.item.colour or self.property("colour") or self.property("color")
         typical = typical_colours(self.name)
+        made = self.materials() if colour in SORTS_OF else frozenset[str]()
+        if colour in made:  # Silver is a metal, too.
+            return YES
+        if made and not any(each in SORTS_OF or each == METAL for each in made):
+            return NO
         if told and (colour_word(told) == colour or colour in words(told)):
             return YES
         if colour in typical:

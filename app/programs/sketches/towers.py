@@ -7,17 +7,14 @@ bottom", "highest", "from top to bottom". Where they do not tell it plainly, not
 import itertools
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from app.programs.knowledge.classes import normal
-from app.programs.knowledge.membership import CUTS
+from app.programs.sketches.mentions import Mention, mentions
 from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
 
 Pair = tuple[str, str]
 """A thing and what it stands on, by their names."""
-BARE = r"(?:(?<=the )|(?<=\ba )|(?<=an )|(?<=my )|(?<=, )|(?<=; )|(?<=: )|(?<=\. )|^)"
-"""What stands before a noun that is said without the rest of its name: "can" is more often a verb."""
 FEWEST = 3
 """Things of a tower; of two, only what is at the bottom and what on top is told here: one word alone
 tells it as well, which a model reads well."""
@@ -70,20 +67,23 @@ _NOT_OF_IT = re.compile(
 """After a thing that the sentence only says is no part of the tower."""
 
 
-@dataclass(frozen=True, slots=True)
-class Mention:
-    """Where a sentence names a thing."""
-
-    start: int
-    end: int
-    name: str
+_NONE_OF_IT = re.compile(
+    r"\b(?:no|without|hold(?: the)?|skip(?: the)?|leave (?:out|off)(?: the)?|leaving (?:out|off)(?: the)?|not|minus(?: the)?)"
+    r" (?:(?:any|the) )?(?:[\w-]+,? (?:[\w-]+,? )?(?:or|and|nor) (?:the |any )?)?$",
+    re.I,
+)
+"""Before a thing that is left out of it: "no salad or gherkin for me"."""
 
 
 def tower(sentence: str, things: Sequence[Thing]) -> list[Pair] | None:
     """What is put on what, the lowest first; None where no tower is told, or not plainly."""
     text = " ".join(sentence.lower().split())
     things = _stackable(things, text)
-    found = [m for m in mentions(sentence, things) if not _NOT_OF_IT.match(text[m.end :])]
+    found = [
+        m
+        for m in mentions(sentence, things)
+        if not _NOT_OF_IT.match(text[m.end :]) and not _NONE_OF_IT.search(text[: m.start])
+    ]
     told = _by_relation(sentence, found)
     return told or (_by_place(sentence, found, things) if _PILING.search(sentence) else None)
 
@@ -97,43 +97,6 @@ def _stackable(things: Sequence[Thing], text: str) -> list[Thing]:
         if not is_container(t) or (t.core and normal(t.core[-1]) in map(normal, said))
     ]
     return kept if _PILING.search(text) else list(things)
-
-
-def mentions(sentence: str, things: Sequence[Thing]) -> list[Mention]:
-    """Every naming of a thing in the sentence, by its whole name or by the word it alone has."""
-    spoken: dict[str, str] = {" ".join(thing.words): thing.name for thing in things}
-    alike = [
-        t for t in things if t.core and sum(t.core[-1] == o.core[-1] for o in things if o.core) > 1
-    ]
-    spoken |= {thing.words[0]: thing.name for thing in alike if len(thing.words) == 2}
-    short = {word: name for word, name in _by_one_word(things).items() if word not in spoken}
-    longest = sorted({**spoken, **short}, key=len, reverse=True)
-    named = "|".join(
-        re.escape(each) if each in spoken else BARE + re.escape(each) for each in longest
-    )
-    spoken |= short
-    pattern = re.compile(rf"\b(?:{named})\b(?: (?:one|block|cube|brick)\b)?", re.I)
-    lowered = " ".join(sentence.lower().split())
-    return [
-        Mention(match.start(), match.end(), spoken[_known(match[0], spoken)])
-        for match in pattern.finditer(lowered)
-    ]
-
-
-def _by_one_word(things: Sequence[Thing]) -> dict[str, str]:
-    """The patty of a ``beef patty``, the cheese of a ``cheese slice``, where nothing else is called so."""
-    found: dict[str, str] = {}
-    for thing in things:
-        if len(thing.core) < 2 or thing.core != thing.words:
-            continue
-        word = thing.core[0] if thing.core[-1] in CUTS and len(thing.core) == 2 else thing.core[-1]
-        if sum(word in other.words for other in things) == 1 and len(word) > 2:
-            found[word] = thing.name
-    return found
-
-
-def _known(text: str, spoken: dict[str, str]) -> str:
-    return text if text in spoken else text.rpartition(" ")[0]
 
 
 def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:

@@ -89,6 +89,26 @@ def spoken_of(phrase: Phrase, sentence: str) -> Phrase:
     return replace(phrase, relations=kept)
 
 
+def as_said(phrase: Phrase, sentence: str) -> Phrase:
+    """With the side that the sentence says before the words, where the sketch has another, or none."""
+    spoken = r"\s+".join(map(re.escape, phrase.text.split()))
+    if phrase.quantity != "one" or phrase.relations or not spoken:
+        return phrase
+    if phrase.where and (phrase.where not in SIDES or phrase.where in words(sentence)):
+        return phrase
+    if phrase.where and set(_BEFORE) & set(words(phrase.text)):
+        return replace(phrase, where=None)
+    pattern = rf"\b(?:(?P<side>{'|'.join(_BEFORE)})(?:[- ]hand)? )?{spoken}\b"
+    found = [match["side"] for match in re.finditer(pattern, sentence, re.I)]
+    if len(found) != 1 or found[0] is None:
+        return phrase
+    return replace(phrase, where=found[0].lower())
+
+
+_BEFORE = ("leftmost", "left", "rightmost", "right", "middle", "center", "centre", "central")
+"""Sides that are said before a noun."""
+
+
 def placed(rest: str, read: Description) -> tuple[str, Description]:
     """Without the words that place it by another thing."""
     for pattern, key in _PLACES:

@@ -14,10 +14,11 @@ from pathlib import Path
 
 from app.programs.knowledge.classes import classes
 from app.programs.knowledge.english import is_english
-from app.programs.knowledge.languages import translated
+from app.programs.knowledge.languages import together, translated
 from app.programs.knowledge.names import plain, singular, words
 from app.programs.knowledge.properties import COLOUR_WORDS, MATERIALS, SIZES
 from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.asides import without_thoughts
 from app.programs.sketches.matching import misspelt
 from app.programs.sketches.rephrasing import rephrased
 
@@ -27,6 +28,8 @@ HASTY = 2
 """From so many slips on, a word that exists may be one as well."""
 SURELY = 0.85
 """The same for words that the scene does not have."""
+LONG = 8
+"""Letters from which a word is like another one though more of it is wrong."""
 _TOKEN = re.compile(r"[^\W\d_]+(?:[\u2019'][^\W\d_]+)*|[^\w\s]|\S+|\s+")
 _ENGLISH = word_list("english")
 _DUTCH = word_list("dutch")
@@ -40,8 +43,8 @@ def plain_english(sentence: str, names: Sequence[str]) -> str:
     if any("\u4e00" <= letter <= "\u9fff" for letter in sentence):
         return _unspaced(sentence)
     if _is_foreign(sentence, names):
-        return _glossed(sentence, names)
-    return rephrased(_mended(sentence, names))
+        return rephrased(_verb_first(_glossed(together(sentence), names)))
+    return rephrased(without_thoughts(_mended(sentence, names)))
 
 
 def _is_foreign(sentence: str, names: Sequence[str]) -> bool:
@@ -61,7 +64,7 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
     ]
     parts = [part for token in tokens for part in re.split(r"(?<=^[ldLD])'", token)]
     # Where French and Spanish say "in" and "of", the Dutch say "and" and "the".
-    also = {"en": "and"} if set(map(plain, parts)) & _DUTCH else {"de": "of"}
+    also = {"en": "and", "la": "drawer"} if set(map(plain, parts)) & _DUTCH else {"de": "of"}
     found: list[str] = []
     place = 0
     while place < len(parts):
@@ -81,10 +84,22 @@ def _glossed(sentence: str, names: Sequence[str]) -> str:
     return re.sub(r"\s+([,.!?])", r"\1", re.sub(r"\b(the|a) (the|a)\b", r"\1", text))
 
 
+def _verb_first(text: str) -> str:
+    """With verbs from a clause's end at its beginning: "the toolbox open" is an order to open it."""
+    return _VERB_LAST.sub(r"\g<before>\g<verb> \g<what>", text)
+
+
+_VERB_LAST = re.compile(
+    r"(?P<before>^\W*|[.!?,;] |\band )(?P<what>(?:the|all|both|a|my|your)\b(?:(?!\b(?:put|open|close|pour|push|take|stack|stays|and)\b)[^.!?;])*?) "
+    r"(?P<verb>put|open|close|pour|push|take|stack)(?=\s*[.!?,;]|$| and\b)",
+    re.I,
+)
+
+
 def _portuguese(parts: Sequence[str], place: int, found: Sequence[str]) -> str | None:
     """What two small words are there: "põe a maçã no saco", but Spanish "no el limón"."""
     word, following = plain(parts[place]), plain(parts[place + 1]) if place + 1 < len(parts) else ""
-    if word == "a" and found[-1:] in (["put"], ["and"]):
+    if word == "a" and found[-1:] and found[-1] in ("put", "and", "open", "close", "pour"):
         return "the"
     if word == "no" and _small_words().get(following) not in ("the", "a", "all", "both"):
         return "in the"
@@ -151,6 +166,7 @@ def _mended(sentence: str, names: Sequence[str]) -> str:
         if len(word) < 4 or word in singulars | _ENGLISH or is_english(word):
             return match[0]
         kind = _nearest(word, _kinds(), SURELY) if len(word) > 4 else None
+        kind = kind or _misspelt_kind(word)
         return _nearest(word, singulars) or kind or _slipped(word) or match[0]
 
     return " ".join(re.sub(r"(?<!\d)[^\W\d_]+", mend, sentence).split())
@@ -196,8 +212,16 @@ def _paired(sentence: str, names: Sequence[str]) -> str:
 def _kinds() -> frozenset[str]:
     """Words for classes of things, and for colours."""
     named = {each for each in classes().names() if each.isalpha() and len(each) > 3}
+    named |= {head for each in classes().names() if len(head := each.rpartition(" ")[2]) > 6}
     several = {f"{each}s" for each in named} | {f"{each[:-1]}ies" for each in named}
     return frozenset(named | several | set(COLOUR_WORDS))
+
+
+def _misspelt_kind(word: str) -> str | None:
+    """The long class word of as many letters that this one is, though more of it is wrong."""
+    if len(word) < LONG:
+        return None
+    return _nearest(word, {each for each in _kinds() if abs(len(each) - len(word)) < 2}, ALIKE)
 
 
 def _slipped(word: str) -> str | None:

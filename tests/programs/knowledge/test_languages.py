@@ -23,6 +23,14 @@ def test_names_of_other_languages_are_put_into_english(foreign, english):
     ("typed", "english"),
     [
         ("lege den Apfel in die Schüssel", "put the apple in the bowl"),
+        (
+            "Mach bitte die Kiste auf und leg die Birne in den Korb",
+            "open the box and put the pear in the basket",
+        ),
+        ("doe de la dicht", "close the drawer"),
+        ("Kannst du den Apfel in die Schüssel legen?", "put the apple in the bowl?"),
+        ("gieß den Saft in die Tasse", "pour the juice in the cup"),
+        ("versa il succo nella tazza", "pour the juice in the cup"),
         ("pon el plátano en el plato", "put the banana in the plate"),
         ("mets toutes les pommes dans la boîte rouge", "put all the apples in the red box"),
         ("leg de appel in de kom", "put the apple in the bowl"),
