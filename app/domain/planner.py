@@ -119,3 +119,12 @@ class Preambled(Protocol):
     def preamble(self, world: str, actions: Sequence[ActionSignature]) -> str:
         """What its prompts begin with as long as nobody asks for other switches."""
         ...
+
+
+@runtime_checkable
+class Prepared(Protocol):
+    """A planner that knows much, so that a worker can have it read that beforehand."""
+
+    def prepare(self) -> None:
+        """Read what the first plan would have to wait for."""
+        ...

@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from app.domain.planner import Preambled
+from app.domain.planner import Preambled, Prepared
 from app.domain.scene import Scene
 from app.main.models import llm_config, open_models
 from app.main.worlds import furnish
@@ -31,6 +31,7 @@ def create_worker(settings: Settings, queue: Queue, name: str) -> WorkerProcess:
         model, preambles = _expected(settings)
         prepare = [
             _load_worlds,
+            *(partial(_prepare, world.planner) for world in worlds.values()),
             partial(models.load, model),
             *(partial(models.warm, model, preamble) for preamble in preambles),
         ]
@@ -51,6 +52,13 @@ def _expected(settings: Settings) -> tuple[str, list[str]]:
             actions = offered(world, Scene(world=world.name))
             preambles.append(planner.preamble(world.name, actions))
     return model, preambles
+
+
+def _prepare(name: str) -> str:
+    planner = planners[name]
+    if isinstance(planner, Prepared):
+        planner.prepare()
+    return f"plans with {name}"
 
 
 def _load_worlds() -> str:

@@ -1,12 +1,16 @@
 """Sentence → sketch → program: the model reads the sentence, knowledge finds what it means here."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
+from app.domain.action import ActionSignature
 from app.domain.errors import ModelError, TaskDeclined
 from app.domain.llm import LanguageModel
 from app.domain.planner import Draft, Report, Task
+from app.domain.scene import SceneObject
 from app.llm.meaning import likeness
 from app.planners import planners
+from app.programs.knowledge.hazards import hazard
 from app.programs.sketches.allotting import allotted
 from app.programs.sketches.conversation import understood
 from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
@@ -16,11 +20,13 @@ from app.programs.sketches.leaving_out import completed
 from app.programs.sketches.offering import with_offer
 from app.programs.sketches.pieces import named_places, pieces
 from app.programs.sketches.pointing import pointed
+from app.programs.sketches.prompt import write_sketch_prompt
 from app.programs.sketches.reader import Reader
 from app.programs.sketches.refusals import refuse_place_beside
 from app.programs.sketches.rereading import only_order, without_asides
 from app.programs.sketches.retelling import places_used
 from app.programs.sketches.selection import Selection
+from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.swapping import swap
 from app.programs.sketches.things import read_things
 from app.programs.sketches.verbs import asked_verbs
@@ -37,6 +43,19 @@ class Situated:
 
     model = "situated"
     repairs = False
+
+    def prepare(self) -> None:
+        """Read the tables of words, things and hazards, which takes a second."""
+        things = read_things((SceneObject(name="cup"), SceneObject(name="bowl")))
+        sentence = plain_english("put the cup in the bowl", [thing.name for thing in things])
+        Selection(things, frozenset(), sentence).possible(Phrase(text="cup"))
+        hazard("cup", "bowl")
+
+    def preamble(self, world: str, actions: Sequence[ActionSignature]) -> str:
+        """The import line of a sentence that has something put somewhere, as most do."""
+        del world  # Its actions tell.
+        asked = asked_verbs(actions, "put it in the box")
+        return write_sketch_prompt("", asked).partition("# ")[0] + "# "
 
     def write_program(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """Ask the model for a sketch and resolve it.

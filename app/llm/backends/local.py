@@ -77,6 +77,7 @@ class LocalModel:
         params.cpuparams.n_threads = config.threads
         params.cpuparams_batch.n_threads = config.threads
         params.cache_ram_mib = 0  # one slot, and its state on disk
+        params.fit_params = False  # It would read the vocabulary twice.
         params.warmup = False
         params.hostnames = [str(socket)]
         params.slot_save_path = f"{slots_folder}{os.sep}"
@@ -129,16 +130,16 @@ class LocalModel:
         """Have the state after ``prefix`` at hand, from now on and after a restart.
 
         Prompts that begin with a prefix warmed once skip reading it. Returns whether the state
-        was found on disk; if not, the prefix has now been read and its state was saved.
+        was found on disk; if not, the prefix has now been read and its state was saved. The
+        weights are in memory then, too.
         """
         with self._lock:
-            if self._slots.restore(prefix):
-                return True
-            stream = self._ask(CompletionRequest(prompt=prefix, max_tokens=0))
-            if stream.error:
-                raise CompletionFailed(self._explain(stream.error))
-            self._slots.save(prefix)
-            return False
+            found = self._slots.restore(prefix)
+            if not found:
+                self._read(prefix, 0)
+                self._slots.save(prefix)
+            self._read(prefix, 1)
+            return found
 
     def score(self, prompt: str, candidates: Sequence[str]) -> tuple[float, ...]:
         """The candidates' log-probabilities [nat], told apart where their tokens branch.
@@ -152,6 +153,11 @@ class LocalModel:
             scores = score_sequences(sequences, self._next_token)
             self._slots.holds(prompt)
             return scores
+
+    def _read(self, prompt: str, tokens: int) -> None:
+        stream = self._ask(CompletionRequest(prompt=prompt, max_tokens=tokens))
+        if stream.error:
+            raise CompletionFailed(self._explain(stream.error))
 
     def _next_token(self, tokens: tuple[int, ...]) -> dict[int, float]:
         """Log-probabilities of the likeliest tokens after these [nat]."""

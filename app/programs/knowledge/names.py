@@ -15,6 +15,8 @@ NUMBERS = {
 }  # fmt: skip
 _APART = re.compile(r"(?<=[a-z])(?=[A-Z])|(?<=[A-Za-z])(?=\d)|(?<=\d)(?=[A-Za-z]{2})")
 _WORD = re.compile(r"[^\W_]+(?:[\u2019'][^\W_]+)*")
+_PLAIN = re.compile(r"[a-z ]*")
+"""Nothing in it has to be taken apart or written in another way."""
 _SAME = word_list("same")
 """Ends in s, or has no other form."""
 _IRREGULAR = {
@@ -68,6 +70,8 @@ _IRREGULAR = {
 
 def plain(text: str) -> str:
     """Lower case, without accents on Latin letters, in one form of Unicode."""
+    if text.isascii():  # Nearly all is, and tables of it are read at the start.
+        return text.lower()
     apart = unicodedata.normalize("NFKD", text.replace("ß", "ss").replace("œ", "oe"))
     kept = "".join(letter for letter in apart if not unicodedata.combining(letter))
     return unicodedata.normalize("NFC", kept).lower()
@@ -75,6 +79,8 @@ def plain(text: str) -> str:
 
 def words(text: str) -> tuple[str, ...]:
     """The words and numbers of a name or phrase, lower case; ``bowl_2`` and ``redBowl`` come apart."""
+    if _PLAIN.fullmatch(text):
+        return tuple(text.split())
     found = (plain(each).replace("\u2019", "'") for each in _WORD.findall(_APART.sub(" ", text)))
     return tuple(each for each in found if each)
 
