@@ -1,6 +1,10 @@
+import subprocess
+import sys
+
 import pytest
 
 from app.domain.errors import Cancelled, CompletionFailed
+from app.domain.planner import Preambled, Prepared
 from app.domain.program import ActionCall
 from app.domain.trace import PlanningStarted
 from app.llm.models import LlmConfig, find_model
@@ -49,6 +53,42 @@ def test_every_planner_stops_when_asked_to(name, task, canned):
         planners[name].write_program(
             task(name=name), canned(WRITES.get(name, GOOD)), lambda _: True
         )
+
+
+BEGIN_ALIKE = [
+    name
+    for name, planner in planners.items()
+    if isinstance(planner, Preambled) and name not in AT_HOME
+]
+
+
+@pytest.mark.parametrize("name", BEGIN_ALIKE)
+def test_every_prompt_begins_with_its_planners_preamble(name, task, canned):
+    planner = planners[name]
+    assert isinstance(planner, Preambled)
+    asked = task(name=name)
+    preamble = planner.preamble("tabletop", asked.actions)
+    assert len(preamble.splitlines()) >= 1
+    draft = planners[name].write_program(asked, canned(GOOD), lambda _: False)
+    assert draft.prompt
+    assert draft.prompt.startswith(preamble)
+
+
+PREPARED = """
+import sys
+from app.planners import planners
+from app.programs.knowledge import classes, hazards, wordnet
+planners[sys.argv[1]].prepare()
+print(classes.classes.cache_info().currsize, hazards.hazards.cache_info().currsize, wordnet.nouns.cache_info().currsize)
+"""
+
+
+@pytest.mark.parametrize("name", [n for n, each in planners.items() if isinstance(each, Prepared)])
+def test_every_planner_can_read_what_it_knows_beforehand(name):
+    done = subprocess.run(
+        [sys.executable, "-c", PREPARED, name], capture_output=True, text=True, check=True
+    )
+    assert done.stdout == "1 1 1\n"
 
 
 @pytest.mark.parametrize("name", planners)

@@ -51,6 +51,11 @@ def test_what_is_thrown_out_goes_to_the_bin(grab_and_putin, sentence):
     assert filled(sentence, [grab_and_putin], "onion", "box", "bin") == told
 
 
+def test_a_can_is_thrown_into_the_trash_can(grab_and_putin):
+    told = "put the can in the trash can"
+    assert filled("throw away the can", [grab_and_putin], "can", "trash can", "box") == told
+
+
 def test_without_a_bin_it_is_asked_where(grab_and_putin):
     with pytest.raises(TaskDeclined) as declined:
         filled("throw out the onion", [grab_and_putin], "onion", "box")

@@ -78,6 +78,8 @@ def completed(sentence: str, selection: Selection, actions: Sequence[ActionSigna
     if not all(named):
         return sentence  # What is not there is told from the whole sentence.
     meant = {thing.name for found in named for thing in found}
+    if bins and not _BINS & set(words(what)):  # "throw away the can" throws no trash can away.
+        meant -= {thing.name for thing in things if _BINS & set(thing.words)}
     free = [thing for thing in things if is_container(thing) and thing.name not in meant]
     return _placed(what, [each for each in free if _BINS & set(each.words)] if bins else free, free)
 
