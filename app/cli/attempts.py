@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, TextColumn
 from rich.progress import Progress as Bar
 
-from app.cli.endings import interrupted
+from app.cli.endings import INTERRUPTED, interrupted
 from app.domain.errors import ProgPromptError
 from app.evaluation.attempt import Unit
 from app.evaluation.results import Result, read_results
@@ -36,7 +36,15 @@ def opening(jobs: int) -> OpenModels:
     return partial(open_models, config, settings.model)
 
 
-def run(units: Sequence[Unit], out: Path, jobs: int, seconds: float | None) -> list[Result]:
+@dataclass(frozen=True, slots=True)
+class Made:
+    """What came of the attempts."""
+
+    results: list[Result]
+    interrupted: bool = False
+
+
+def run(units: Sequence[Unit], out: Path, jobs: int, seconds: float | None) -> Made:
     """Make all attempts under a bar that tells the time left; an interrupt leaves what is there.
 
     Raises:
@@ -55,21 +63,26 @@ def run(units: Sequence[Unit], out: Path, jobs: int, seconds: float | None) -> l
 
         try:
             with interrupted():
-                return evaluate_units(
-                    units, opening(jobs), out, jobs=jobs, seconds=seconds, report=tell
+                return Made(
+                    evaluate_units(
+                        units, opening(jobs), out, jobs=jobs, seconds=seconds, report=tell
+                    )
                 )
         except KeyboardInterrupt:
             known = {result.key: result for result in read_results(out / RESULTS)}
-            return [known[unit.key] for unit in units if unit.key in known]
+            return Made([known[unit.key] for unit in units if unit.key in known], interrupted=True)
         except ProgPromptError as error:
             raise click.ClickException(str(error)) from error
 
 
-def finish(out: Path, results: Sequence[Result], total: int) -> None:
-    """Say what there is and where."""
-    if len(results) < total:
-        click.echo(f"{total - len(results)} of {total} attempts are left; run it again to go on.")
+def finish(out: Path, made: Made, total: int) -> None:
+    """Say what there is and where; after an interrupt the command ends as interrupted ones do."""
+    done = len(made.results)
+    if done < total:
+        click.echo(f"{total - done} of {total} attempts are left; run it again to go on.")
     click.echo("\n".join(str(out / name) for name in FILES))
+    if made.interrupted:
+        raise SystemExit(INTERRUPTED)
 
 
 def _minutes(seconds: float) -> str:

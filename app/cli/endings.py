@@ -12,6 +12,8 @@ from types import FrameType
 ASKED = (signal.SIGTERM, signal.SIGHUP)
 """How an end is asked for: by whoever manages processes, and by a terminal that is closed."""
 AGAIN = 0.05  # [s]
+INTERRUPTED = 130
+"""Exit code of what Ctrl-C ended."""
 
 
 @contextmanager

@@ -122,11 +122,11 @@ def _suite_command(name: str) -> click.Command:
             seconds=None if minutes is None else 60 * minutes,
         )
         units = evaluation.units()
-        results = run(units, out, jobs, evaluation.seconds)
-        found = tables(results)
-        write_files(out, f"Evaluation on {suite.name}", found, results)
+        made = run(units, out, jobs, evaluation.seconds)
+        found = tables(made.results)
+        write_files(out, f"Evaluation on {suite.name}", found, made.results)
         click.echo(markdown(found[:1]))
-        finish(out, results, len(units))
+        finish(out, made, len(units))
 
     return measure
 

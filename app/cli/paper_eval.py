@@ -48,7 +48,8 @@ def paper(
     suite = _own_homes() if household_data is None else read_household(household_data)
     plan = Plan(household=suite, own=own, **chosen)
     units = units_of(plan)
-    results = run(units, out, jobs, 60 * minutes)
+    made = run(units, out, jobs, 60 * minutes)
+    results = made.results
     found = paper_tables(plan, results)
     note = NOTE if plan.temperature == 0 else ""
     if own:
@@ -57,7 +58,7 @@ def paper(
     title = "ProgPrompt: the paper's tables"
     write_files(out, title, [*found, wrong(results)], results, charts=charts, note=note)
     click.echo(markdown(found))
-    finish(out, results, len({unit.key for unit in units}))
+    finish(out, made, len({unit.key for unit in units}))
 
 
 def _own_homes() -> Suite:

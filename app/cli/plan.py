@@ -10,12 +10,11 @@ import click
 from rich.console import Console
 
 from app.cli.client import ServiceClient
+from app.cli.endings import INTERRUPTED
 from app.cli.narrator import Narrator
 
 DEFAULT_URL = "http://127.0.0.1:8000"
 BEST = "best"
-INTERRUPTED = 130
-"""Exit code of what Ctrl-C ended."""
 
 
 @click.command()

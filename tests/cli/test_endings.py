@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from app.cli.endings import interrupted
+from app.cli.endings import INTERRUPTED, interrupted
 from tests.processes import ENDINGS, LIMIT, descendants, runs, within_limit
 
 QUICK = {"text": "    grab_and_putin('banana', 'bowl')\n"}
@@ -51,10 +51,11 @@ def test_an_evaluation_leaves_no_process_behind_and_can_be_gone_on_with(start, t
     within_limit(lambda: results.exists() and results.read_text().count("\n"))
     workers = within_limit(lambda: descendants(process.pid))
     process.send_signal(number)
-    process.wait(LIMIT)
+    code = process.wait(LIMIT)
     within_limit(lambda: not any(map(runs, workers)))
     kept = results.read_text()
     if number != signal.SIGKILL:
+        assert code == INTERRUPTED
         assert "run it again to go on" in (tmp_path / "told").read_text()
         assert (tmp_path / "out" / "report.html").exists()
     assert start(QUICK).wait(LIMIT) == 0
