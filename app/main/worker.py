@@ -1,5 +1,6 @@
 """A worker process, put together; it knows nothing of HTTP or of views, and so starts fast."""
 
+from collections.abc import Iterator, Mapping
 from functools import partial
 
 from app.domain.planner import Preambled, Prepared
@@ -28,12 +29,13 @@ def create_worker(settings: Settings, queue: Queue, name: str) -> WorkerProcess:
     models = open_models(llm_config(settings), settings.model)
     if queue == "planning":
         desk = SharedDesk(Planning(database, handover, models), Evaluating(database, jobs, models))
-        model, preambles = _expected(settings)
+        expected = _expected(settings)
+        model = planners[expected["tabletop"]].model
         prepare = [
             _load_worlds,
-            *(partial(_prepare, world.planner) for world in worlds.values()),
+            *(partial(_prepare, name) for name in sorted(set(expected.values()))),
             partial(models.load, model),
-            *(partial(models.warm, model, preamble) for preamble in preambles),
+            *(partial(models.warm, model, each) for each in _preambles(expected, model)),
         ]
     else:
         desk = Simulation(database, handover, models)
@@ -41,17 +43,19 @@ def create_worker(settings: Settings, queue: Queue, name: str) -> WorkerProcess:
     return WorkerProcess(database, queue, name, desk=desk, prepare=prepare)
 
 
-def _expected(settings: Settings) -> tuple[str, list[str]]:
-    """The model that most plans will want, and what its prompts will begin with in each world."""
-    expected = "progprompt" if settings.model != "default" else worlds["tabletop"].planner
-    model = planners[expected].model
-    preambles: list[str] = []
-    for world in worlds.values():
-        planner = planners[world.planner if settings.model == "default" else expected]
+def _expected(settings: Settings) -> dict[str, str]:
+    """The planner that most plans will want in each world."""
+    if settings.model != "default":
+        return dict.fromkeys(worlds, "progprompt")
+    return {name: world.planner for name, world in worlds.items()}
+
+
+def _preambles(expected: Mapping[str, str], model: str) -> Iterator[str]:
+    """What the prompts for this model will begin with, world by world."""
+    for name, chosen in expected.items():
+        planner = planners[chosen]
         if planner.model == model and isinstance(planner, Preambled):
-            actions = offered(world, Scene(world=world.name))
-            preambles.append(planner.preamble(world.name, actions))
-    return model, preambles
+            yield planner.preamble(name, offered(worlds[name], Scene(world=name)))
 
 
 def _prepare(name: str) -> str:
