@@ -45,6 +45,7 @@ def test_the_first_of_three_stays_as_it_was_said():
         ),
         ("leave one egg, then move the other two to the bowl", "move two eggs to the bowl"),
         ("save two figs and take the other one to the bowl", "take one fig to the bowl"),
+        ("We need one fig. Put the other two in the bowl.", "Put two figs in the bowl."),
         ("put the other two in the bowl", "put the other two in the bowl"),
     ],
 )

@@ -39,7 +39,9 @@ def test_what_a_glass_is_topped_up_with_is_poured():
     assert poured_out("top it up with the jug.", THINGS) == "pour the jug into it."
 
 
-@pytest.mark.parametrize("name", ["brick", "wooden spoon", "bowling ball", "claw hammer"])
+@pytest.mark.parametrize(
+    "name", ["brick", "wooden spoon", "bowling ball", "claw hammer", "rolling pin", "footstool"]
+)
 def test_nobody_pours_a_solid_thing(name):
     with pytest.raises(TaskDeclined):
         refuse_solid(name)

@@ -64,6 +64,11 @@ MATERIALS = {
     "wooden": "wood",
     "oak": "oak",
     "bamboo": "bamboo",
+    "birch": "birch",
+    "beech": "beech",
+    "teak": "teak",
+    "mahogany": "mahogany",
+    "plywood": "plywood",
     "metal": "metal",
     "metallic": "metal",
     "steel": "steel",
@@ -108,7 +113,9 @@ MATERIALS = {
     "slate": "slate",
 }
 SORTS_OF = {
-    **dict.fromkeys(("oak", "pine", "bamboo", "plywood"), "wood"),
+    **dict.fromkeys(
+        ("oak", "pine", "bamboo", "plywood", "birch", "beech", "teak", "mahogany"), "wood"
+    ),
     **dict.fromkeys(
         (
             "steel",

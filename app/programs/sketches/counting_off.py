@@ -7,7 +7,7 @@ from app.programs.knowledge.names import NUMBERS
 
 _NUMBER = "|".join((*NUMBERS, "[2-9]"))
 _SO_MANY = re.compile(
-    r"\b(?:leave|keep|save|spare|reserve|hold back|set aside)(?: (?:me|us|him|her))?(?: just| only| out| back)* "
+    r"\b(?:leave|keep|save|spare|reserve|hold back|set aside|(?:i|we)(?: only| just)? (?:need|want))(?: (?:me|us|him|her))?(?: just| only| out| back)* "
     rf"(?:{_NUMBER}|an?) (?:of (?:the|my|those|these) )?(?P<noun>[\w-]+(?: [\w-]+)??)"
     r"(?: (?:to|for|so|out|behind|back|here|there|handy|aside|where|on|in|with)\b[^.,;!?]*?)?"
     r"[,;.]? (?:(?:and|but|then) )*(?P<deed>[a-z]+(?: away)?) (?:the )?(?:other|remaining|last) (?P<others>one|two|three|four|five|six|seven|eight|[2-9])"

@@ -31,6 +31,8 @@ _TOPPED = re.compile(
 )
 """Top it up with the milk."""
 _GRAINS = word_list("grains")
+_WHOLE = ("furniture", "book", "musical instrument", "cutlery")
+"""Classes of which nothing flows."""
 POUR = "pour"
 
 
@@ -63,5 +65,6 @@ def refuse_solid(name: str) -> None:
     Raises:
         TaskDeclined: it is one solid thing.
     """
-    if is_solid(name) and not _GRAINS & set(name.lower().split()) and not name.endswith("s"):
+    solid = is_solid(name) or any(belonging(name, classes().named(k)) >= COUNTS for k in _WHOLE)
+    if solid and not _GRAINS & set(name.lower().split()) and not name.endswith("s"):
         raise TaskDeclined(f"the {name} is solid and cannot be poured", kind="impossible")

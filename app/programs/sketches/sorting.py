@@ -21,7 +21,7 @@ _RIGHTLY = (
     r"accordingly|by (?:type|kind|material|what (?:it is|they are))|where (?:it|they|each)(?: \w+)? belongs?|so (?:that )?(?:it|they|each)[^.;!?]*))"
 )
 _SORTED = re.compile(
-    r"\b(?P<deed>sort|separate|divide|split|distribute|share)(?: out| up)? (?P<what>(?:all )?(?:of )?(?:the|my|our|this|these|that) [\w' -]+?)(?: out| up)? "
+    r"\b(?P<deed>sort|separate|divide|split|distribute|share)(?: out| up)? (?P<what>(?:all )?(?:of )?(?:the|my|our|this|these|that) [\w' -]+?)(?: out| up)?(?P<before> properly| correctly| neatly)? "
     r"(?:between|into|among|amongst|in|to|across) "
     r"(?P<places>them(?: both)?|both|the two(?: of them)?|(?:the|their) (?:right|proper|correct) (?:\w+ )?\w+|(?:the|my|our) [\w' ,-]+?)"
     rf"(?P<rightly>{_RIGHTLY})?(?=\s*(?:[.;:!?]|$)|, (?!(?:and )?(?:the|my|our)\b)| please\b)",
@@ -36,7 +36,7 @@ def sorted_out(sentence: str, selection: Selection) -> str:
     match = _SORTED.search(sentence)
     if match is None:
         return sentence
-    plainly = match["deed"].lower() in ("sort", "separate") or match["rightly"]
+    plainly = match["deed"].lower() in ("sort", "separate") or match["rightly"] or match["before"]
     places = _places(match, selection) if plainly else []
     if len(places) < 2:
         return sentence

@@ -24,6 +24,10 @@ _AFTERWARDS = re.compile(
     re.I,
 )
 """..., then we'll take it from bar nine."""
+_LEISURE = re.compile(
+    r",?\s+(?:and )?then you (?:can|may) (?:go|rest|stop|relax|put your feet|have (?:a|the)|take (?:a|the rest))\b[^.;:!?]*(?=[.;:!?]|$)",
+    re.I,
+)
 _SOMEBODY = (
     r"(?:it|he|she|they|someone|somebody|anyone|anybody|everyone|mum|mom|dad|gran|grandma|grandad|people|"
     r"(?:the|my|our|your|his|her) (?:[\w'-]+ ){0,2}?[\w'-]+)"
@@ -54,7 +58,7 @@ _PARTS = re.compile(r"(?<=[.!?;])\s+")
 
 def without_doings(sentence: str) -> str:
     """The sentence without what its speaker or others do, and why something is left out."""
-    text = _WHY.sub(r"\g<out>", _BEFORE.sub("", _AFTERWARDS.sub("", sentence)))
+    text = _WHY.sub(r"\g<out>", _BEFORE.sub("", _LEISURE.sub("", _AFTERWARDS.sub("", sentence))))
     text = _OWNED.sub(lambda found: f". Leave {found['what']} alone", text).lstrip(". ")
     kept = [each for part in _PARTS.split(text) if (each := _ordered(part))]
     return " ".join(kept) or sentence
