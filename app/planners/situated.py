@@ -14,19 +14,22 @@ from app.programs.knowledge.hazards import hazard
 from app.programs.sketches.allotting import allotted
 from app.programs.sketches.conversation import understood
 from app.programs.sketches.dialogue import asks_to_undo, calls_of, undo
+from app.programs.sketches.former import named_again
 from app.programs.sketches.graded import graded
 from app.programs.sketches.greetings import answer_greeting
 from app.programs.sketches.leaving_out import completed
 from app.programs.sketches.offering import with_offer
 from app.programs.sketches.pieces import named_places, pieces
 from app.programs.sketches.pointing import pointed
+from app.programs.sketches.pouring import poured_out
 from app.programs.sketches.prompt import write_sketch_prompt
 from app.programs.sketches.reader import Reader
-from app.programs.sketches.refusals import refuse_place_beside
+from app.programs.sketches.refusals import refuse_place_beside, refuse_two_places
 from app.programs.sketches.rereading import only_order, without_asides
 from app.programs.sketches.retelling import places_used
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sketch import Phrase
+from app.programs.sketches.sorting import sorted_out
 from app.programs.sketches.swapping import swap
 from app.programs.sketches.things import read_things
 from app.programs.sketches.verbs import asked_verbs
@@ -77,8 +80,10 @@ class Situated:
 
     def _written(self, task: Task, model: LanguageModel, report: Report) -> Draft:
         """The draft of a sentence that the turns before have made clear."""
-        sentence = plain_english(task.instruction.text, task.scene.names)
-        selection = Selection(read_things(task.scene.objects), task.facts, sentence)
+        things = read_things(task.scene.objects)
+        told = named_again(task.instruction.text, things)
+        sentence = plain_english(told, task.scene.names)
+        selection = Selection(things, task.facts, sentence)
         reader = Reader(task, model, report, likeness)
         said = asks_to_undo(task.instruction.text)
         if said and (task.history or not said["what"]):
@@ -87,11 +92,14 @@ class Situated:
         if swapped := swap(task, sentence, selection):
             return reader.draft(reader.transcript(sentence), swapped, 1.0)
         if any(action.name == "pour" for action in task.actions):
-            sentence = watered(sentence, selection.things)
+            sentence = watered(poured_out(sentence, things), things)
         sentence = graded(sentence, selection)
         refuse_place_beside(sentence, task.actions)
+        refuse_two_places(sentence)
         sentence = completed(
-            allotted(pointed(sentence, selection), selection), selection, task.actions
+            allotted(sorted_out(pointed(sentence, selection), selection), selection),
+            selection,
+            task.actions,
         )
         verbs = asked_verbs(task.actions, sentence)
         if not verbs:

@@ -7,10 +7,13 @@ from app.domain.scene import SceneObject
 from app.programs.sketches.refusals import (
     HANDOVER,
     refuse_harm,
+    refuse_immaterial,
     refuse_place_beside,
+    refuse_two_places,
     refuse_ungrounded,
 )
 from app.programs.sketches.selection import Selection
+from app.programs.sketches.sketch import Phrase, SketchCall
 from app.programs.sketches.things import read_things
 
 HAND = ActionSignature(name=HANDOVER, parameters=(Parameter(name="obj"),), meaning="")
@@ -65,3 +68,22 @@ def test_nothing_goes_where_nothing_of_the_scene_is(grab_and_putin):
 def test_a_thing_is_handed_over_and_nobody_else(grab_and_putin):
     with pytest.raises(TaskDeclined):
         refuse_ungrounded(ActionCall(action=HANDOVER, arguments=("me",)), HAND, selection("fork"))
+
+
+@pytest.mark.parametrize("text", ["echo of the bell", "shadow of the cup", "bell's sound"])
+def test_nobody_takes_hold_of_an_echo(text):
+    call = SketchCall("grab_and_putin", (Phrase(text=text), Phrase(text="box")))
+    with pytest.raises(TaskDeclined) as declined:
+        refuse_immaterial(call, selection("bell", "cup", "box"))
+    assert declined.value.kind == "impossible"
+
+
+def test_a_thing_may_be_called_a_wind_chime():
+    call = SketchCall("grab_and_putin", (Phrase(text="mum's wind chime"), Phrase(text="box")))
+    refuse_immaterial(call, selection("wind chime", "box"))
+
+
+def test_one_thing_is_not_in_two_places_at_once():
+    with pytest.raises(TaskDeclined):
+        refuse_two_places("put the ring in the box and in the jar at the same time")
+    refuse_two_places("put the ring in the box and the coin in the jar at the same time")

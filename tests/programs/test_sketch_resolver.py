@@ -323,3 +323,31 @@ def test_a_push_to_what_is_not_there_is_declined():
         _calls(
             "push('cart', 'ramp')", ["cart", "doll"], "push the cart to the ramp", actions=(PUSH,)
         )
+
+
+def test_shut_everything_means_what_is_open():
+    task = _task(
+        {"hat box": {}, "desk": {}, "needle": {}, "chest": {}},
+        "close everything that's open",
+        actions=(actions["close"].signature,),
+        facts=frozenset((Relation("open", ("hat box",)), Relation("open", ("chest",)))),
+    )
+    body, _ = resolve(parse_sketch("    close(all('things'))\n"), task)
+    closed = [each.arguments for each in body if isinstance(each, ActionCall)]
+    assert closed == [("hat box",), ("chest",)]
+
+
+@pytest.mark.parametrize(
+    ("sketch", "moved"),
+    [
+        ("    put_on(all('metal finds'), 'tray')\n", ["iron ring", "bronze pin"]),
+        ("    put_on(all('coloureds'), 'tray')\n", ["sock"]),
+        ("    put_on(all('coloured things'), 'tray')\n", ["sock"]),
+        ("    put_on(all('dolls'), 'tray')\n", ["ragdoll"]),
+    ],
+)
+def test_finds_and_coloureds_are_things_of_which_that_is_told(sketch, moved):
+    objects = {"iron ring": {}, "bronze pin": {}, "bone hook": {}, "sock": {"color": "red"}}
+    objects |= {"shirt": {"color": "white"}, "ragdoll": {}, "tray": {}}
+    body, _ = resolve(parse_sketch(sketch), _task(objects))
+    assert [each.arguments[0] for each in body if isinstance(each, ActionCall)] == moved

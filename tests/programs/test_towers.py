@@ -34,6 +34,18 @@ def test_the_words_tell_what_stands_on_what(sentence):
     assert told(sentence, *CUBES) == [("green cube", "red cube"), ("blue cube", "green cube")]
 
 
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "I want the green cube on the red cube and the blue cube crowning the pile",
+        "put the green cube on the red cube, and finish it off with the blue cube",
+        "the green cube goes on the red cube, then top it all off with the blue cube",
+    ],
+)
+def test_what_a_pile_is_finished_with_comes_onto_its_top(sentence):
+    assert told(sentence, *CUBES) == [("green cube", "red cube"), ("blue cube", "green cube")]
+
+
 def test_a_tower_may_stand_on_something():
     pairs = told(
         "on the tray build a tower: red at the bottom, then green, then blue on top", *CUBES, "tray"

@@ -8,6 +8,7 @@ from pathlib import Path
 from app.programs.knowledge.classes import FIGURES, classes, normal
 from app.programs.knowledge.membership import belonging, endings, head_first
 from app.programs.knowledge.names import words
+from app.programs.knowledge.wordnet import nouns
 
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "things.json"
 COLOURS = {
@@ -63,6 +64,11 @@ MATERIALS = {
     "wooden": "wood",
     "oak": "oak",
     "bamboo": "bamboo",
+    "birch": "birch",
+    "beech": "beech",
+    "teak": "teak",
+    "mahogany": "mahogany",
+    "plywood": "plywood",
     "metal": "metal",
     "metallic": "metal",
     "steel": "steel",
@@ -97,16 +103,40 @@ MATERIALS = {
     "stone": "stone",
     "foam": "foam",
     "wicker": "wicker",
+    "bone": "bone",
+    "ivory": "ivory",
+    "pewter": "pewter",
+    "chrome": "chrome",
+    "zinc": "zinc",
+    "titanium": "titanium",
+    "granite": "granite",
+    "slate": "slate",
 }
 SORTS_OF = {
-    **dict.fromkeys(("oak", "pine", "bamboo", "plywood"), "wood"),
     **dict.fromkeys(
-        ("steel", "iron", "aluminium", "tin", "brass", "bronze", "copper", "silver", "gold"),
+        ("oak", "pine", "bamboo", "plywood", "birch", "beech", "teak", "mahogany"), "wood"
+    ),
+    **dict.fromkeys(
+        (
+            "steel",
+            "iron",
+            "aluminium",
+            "tin",
+            "brass",
+            "bronze",
+            "copper",
+            "silver",
+            "gold",
+            "pewter",
+            "chrome",
+            "zinc",
+            "titanium",
+        ),
         "metal",
     ),
     **dict.fromkeys(("porcelain", "clay"), "ceramic"),
     **dict.fromkeys(("cotton", "denim", "linen", "felt", "wool", "silk"), "cloth"),
-    "marble": "stone",
+    **dict.fromkeys(("marble", "granite", "slate"), "stone"),
 }
 """What a material is a sort of."""
 MADE_OF = {
@@ -124,6 +154,8 @@ MADE_OF = {
     "wool": "wool object",
     "stone": "stone object",
 }
+SURELY = 0.5
+"""From which share of its meanings on a compound is a kind of what it ends with."""
 SIZES = {
     "small": -1,
     "little": -1,
@@ -228,8 +260,10 @@ def _typical(group: str, name: str) -> frozenset[str]:
     for ending in endings(core):
         if ending in table:
             return table[ending]
-        if classes().knows(ending):
-            break
+        shorter = ending.partition(" ")[2]
+        grown = group == "sizes" and shorter and nouns().kind_of(ending, shorter) >= SURELY
+        if classes().knows(ending) and not grown:
+            break  # A grand piano is at least as large as a piano, a doll's house no house.
     return frozenset()
 
 

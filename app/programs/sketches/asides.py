@@ -43,7 +43,7 @@ _THAT_ONE = re.compile(
     r"^(?:that one|this one|it|those|them|these|that)\b,?(?: (?:or|and|nor)(?: with)? )?", re.I
 )
 _LEFT_OPEN = re.compile(
-    r"(?:\b(?:somebody|someone|who|you|he|she|they|we|i)(?:'s|'ve| has| have)?(?: gone and| been and)? )?\bleft (?P<what>(?:the|my|our|your|that|this) [^.,;!?]+?) (?:wide )?(?:open|ajar|unlocked)(?: again)?[.!?;,]\s*"
+    r"(?:\b(?:somebody|someone|who|you|he|she|they|we|i|(?:my|our|his|her|your|the) (?:[\w-]+ ){0,2}?[\w-]+)(?:'s|'ve| has| have)?(?: gone and| been and)? )?\bleft (?P<what>(?:the|my|our|your|that|this) [^.,;!?]+?) (?:wide )?(?:open|ajar|unlocked)(?: again)?[.!?;,]\s*"
     r"(?:(?:so|please|now|go and|could you|can you|would you)[, ]+)*(?P<deed>shut|close) (?:it|that)\b",
     re.I,
 )
@@ -54,6 +54,12 @@ _THEN_TOO = re.compile(
     re.I,
 )
 """Open the chest, then the case."""
+_BOTH = re.compile(
+    r"\b(?P<deed>open|close|shut)(?: up)? (?P<one>(?:the|my|our) [\w'-]+(?: [\w'-]+)?) and (?P<other>(?:the|my|our) [\w'-]+(?: [\w'-]+)?)"
+    r"(?=,? (?:and )?then\b|[.;!?]|$)",
+    re.I,
+)
+"""Open the chest and the case, then ..."""
 _PLACE = re.compile(
     r"\b(?:the|that) (?:place|spot|bit|part|one) where (?=(?:the|my|our|your|we|i|you|he|she|they|one|people)\b)",
     re.I,
@@ -74,6 +80,12 @@ def without_thoughts(sentence: str) -> str:
     text = _THEN_TOO.sub(
         lambda found: (
             f"{found['deed']} {found['one']} and then {found['deed'].lower()} {found['other']}"
+        ),
+        text,
+    )
+    text = _BOTH.sub(
+        lambda found: (
+            f"{found['deed']} {found['one']} and {found['deed'].lower()} {found['other']}"
         ),
         text,
     )

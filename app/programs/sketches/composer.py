@@ -15,7 +15,13 @@ from app.programs.sketches.members import Members
 from app.programs.sketches.named import goals, named
 from app.programs.sketches.order import in_order, told_apart
 from app.programs.sketches.pairs import for_each, pairs
-from app.programs.sketches.refusals import refuse_beside, refuse_harm, refuse_ungrounded
+from app.programs.sketches.pouring import POUR, poured_into
+from app.programs.sketches.refusals import (
+    refuse_beside,
+    refuse_harm,
+    refuse_immaterial,
+    refuse_ungrounded,
+)
 from app.programs.sketches.retelling import retold
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sets import counted, stays
@@ -109,6 +115,7 @@ class Composer:
             message = f"{call.action} takes {len(signature.parameters)} arguments"
             raise ProgramRefused(Fault(field="program", message=message))
         refuse_beside(call, self._selection.sentence)
+        refuse_immaterial(call, self._selection)
         call = aimed(told_apart(call), signature, self._selection)
         call = righted(call, signature, self._selection.sentence)
         call = self._shared(in_order(call, signature, self._selection.sentence), signature)
@@ -163,6 +170,9 @@ class Composer:
                 return None
             found[i] = value
         values = tuple(found[i] for i in range(len(call.arguments)))
+        if call.action == POUR and len(values) == 2:
+            sentence, things = self._selection.sentence, self._selection.things
+            values = (values[0], poured_into(str(values[1]), self._course, sentence, things))
         self._take(each for each in values if isinstance(each, str))
         if place is not None and len(values) == 2:
             self._course.put(str(values[1 - place]), str(values[place]))
@@ -181,7 +191,8 @@ class Composer:
         if isinstance(spread, Each) and isinstance(argument, Phrase) and argument.count:
             spread, argument = for_each(spread, argument, len(targets))
         avoid = {str(each) for each in fixed.values()} | {thing.name for thing in targets}
-        members = self._members.of(argument, avoid, fixed, signature.parameters[which].affordance)
+        affordance = signature.parameters[which].affordance
+        members = self._members.of(argument, avoid, fixed, affordance, call.action)
         placed = pairs(members, spread, targets)
         lines: list[Statement] = []
         place = next(iter(fixed), None) if self._piled(argument, fixed, spread) else None
@@ -202,6 +213,7 @@ class Composer:
         resting = [line for line in lines if isinstance(line, ActionCall) and self._rests(line)]
         still += resting
         self._take(member.name for member, _ in placed)
+        self._course.shared(placed, fixed)
         moving = [line for line in lines if line not in resting]
         return [self._comment(call.arguments[which], members), *moving] if moving else []
 

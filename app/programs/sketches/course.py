@@ -1,8 +1,11 @@
 """What a composition has come to so far: which things were taken, and where they went."""
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from app.domain.program import Argument
 from app.programs.sketches.sketch import Phrase
+from app.programs.sketches.things import Thing
 
 
 @dataclass(slots=True)
@@ -32,6 +35,14 @@ class Course:
     def doubt(self, sureness: float) -> None:
         """Words were told that surely."""
         self.sureness = min(self.sureness, sureness)
+
+    def shared(
+        self, placed: Sequence[tuple[Thing, Thing | None]], fixed: Mapping[int, Argument]
+    ) -> None:
+        """Note that each of a set went to its own place, or all to the fixed one."""
+        for member, target in placed:
+            for place in [target.name] if target else list(map(str, fixed.values()))[:1]:
+                self.places[member.name] = place
 
     def put(self, thing: str, place: str) -> None:
         """Note that a thing went somewhere."""

@@ -239,6 +239,8 @@ def _ends_with(core: tuple[str, ...], wanted: str) -> float:
     kind = classes().find(wanted)
     if closed and kind:
         return (HEAD - 0.03) * (belonging(head, kind) >= COUNTS)
+    if closed and len(wanted) > 3 and misspelt(head) and not misspelt(head.removesuffix(wanted)):
+        return HEAD - 0.03  # A ragdoll, though no dictionary has it, is a doll.
     if closed and wanted in VESSELS | HOLDERS | _CASES and _contains(head):
         return HEAD - 0.03
     return (HEAD - 0.03) * (closed and nouns().kind_of(head, wanted) >= 0.3)

@@ -10,9 +10,12 @@ from app.programs.knowledge.names import words
 from app.programs.sketches.arguments import Arguments
 from app.programs.sketches.course import Course
 from app.programs.sketches.denied import undenied
+from app.programs.sketches.description import Description
 from app.programs.sketches.heights import piled
+from app.programs.sketches.openings import BEFORE, openable
 from app.programs.sketches.phrase import describe_phrase
 from app.programs.sketches.qualities import ordered
+from app.programs.sketches.refusals import BESIDE
 from app.programs.sketches.selection import Selection
 from app.programs.sketches.sets import (
     but_some,
@@ -61,19 +64,12 @@ class Members:
         avoid: set[str],
         fixed: dict[int, Argument],
         affordance: str | None,
+        action: str = "",
     ) -> list[Thing]:
         if isinstance(argument, Rest):
             argument = rest_of_kind(self._selection.sentence, self._selection) or argument
         if isinstance(argument, Rest):
-            free = [
-                t
-                for t in self._selection.things
-                if t.name not in avoid | self._course.named | self._course.taken
-            ]
-            found = movable(self._others_said(free), self._selection, placed=bool(fixed))
-            if not found:
-                raise self._selection.absent("other thing")
-            return found
+            return self._rest(avoid, fixed, action)
         if not isinstance(argument, Phrase):
             raise ProgramRefused(Fault(field="program", message="a set is wanted"))
         argument = really_said(argument, self._selection.sentence, self._selection.things)
@@ -85,9 +81,8 @@ class Members:
         self._course.doubt(selected.sureness)
         found = list(selected.things)
         described = describe_phrase(argument)
-        told = described.colours or described.materials or described.sizes
-        if described.vague and (not told or self._arguments.elliptic(argument)):
-            found = movable(found, self._selection, placed=bool(fixed))
+        if described.vague:
+            found = self._meant(found, argument, described, fixed, action)
         found = undenied(found, described, self._selection.things, self._selection.sentence)
         found = ordered(found, piled(argument.order, self._selection.sentence))
         argument = halved(argument, self._selection.sentence, len(found))
@@ -97,6 +92,35 @@ class Members:
         if not found:
             raise self._selection.absent(argument.text)
         return found
+
+    def _rest(self, avoid: set[str], fixed: dict[int, Argument], action: str) -> list[Thing]:
+        """Of what the sketch does not name, what such a verb is for."""
+        out = avoid | self._course.named | self._course.taken
+        others = self._others_said([t for t in self._selection.things if t.name not in out])
+        if action in BEFORE:
+            found = openable(others, action, self._selection)
+        else:
+            found = movable(others, self._selection, placed=bool(fixed))
+        if not found:
+            raise self._selection.absent("other thing")
+        return found
+
+    def _meant(
+        self,
+        found: list[Thing],
+        argument: Phrase,
+        described: Description,
+        fixed: dict[int, Argument],
+        action: str,
+    ) -> list[Thing]:
+        """What "everything" stands for; beside a thing, or of a colour, it is really all."""
+        if action in BEFORE:
+            return openable(found, action, self._selection)
+        told = described.colours or described.materials or described.sizes
+        beside = any(key in BESIDE for key, _ in described.relations)
+        if beside or (told and not self._arguments.elliptic(argument)):
+            return found
+        return movable(found, self._selection, placed=bool(fixed))
 
     def _others_said(self, free: list[Thing]) -> list[Thing]:
         """Those of the kind that is told: of "the other marker" no pen.

@@ -7,11 +7,13 @@ from app.programs.knowledge.classes import VAGUE, classes
 from app.programs.knowledge.names import DETERMINERS, words
 from app.programs.knowledge.properties import (
     COLOUR_WORDS,
+    COLOURS,
     FRUITY,
     MATERIALS,
     SIZES,
     SUPERLATIVES,
 )
+from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.description import Description
 from app.programs.sketches.sketch import Phrase
 from app.programs.sketches.whereabouts import SIDES, at_side, placed, side_of
@@ -25,6 +27,13 @@ _PIECES = re.compile(
 )
 _BETWEEN = re.compile(r"\b(?:(?:middle|mid|medium)[- ]sized?|in[- ]between)\b(?= \w)", re.I)
 """Of medium size; "middle" alone is a place."""
+_DYED = re.compile(
+    r"(?:the |my |our )?(?:(?:colou?reds|(?P<dark>darks))(?: one)?|colou?red "
+    r"(?P<what>things?|items?|clothes|clothing|washing|laundry|garments|ones|stuff))",
+    re.I,
+)
+"""Beside whites: washing of another colour."""
+_DARK = frozenset(("black", "blue", "brown", "grey", "purple", "red", "green"))
 _NOT = r"(?:that|which|who) (?:(?:is|are|was|were) not|isn't|aren't|do not|don't) (?:an? |in |made of )?(.+)"
 _IS = r"(?:that|which|who) (?:is|are|'s) (?:an? |in )?(.+)"
 
@@ -53,6 +62,9 @@ def read_description(text: str) -> Description:
     """Read plain words."""
     rest = _coloured(_PIECES.sub("", _BETWEEN.sub("medium", " ".join(text.split()))))
     read = Description(text=rest, core=())
+    if dyed := _DYED.fullmatch(rest):
+        rest = dyed["what"] or "things"
+        read = replace(read, colours=_DARK if dyed["dark"] else frozenset(COLOURS) - {"white"})
     rest, read = _negated(rest, read)
     rest, read = placed(rest, read)
     rest, read = at_side(rest, read)
@@ -123,7 +135,7 @@ def _adjectives(found: tuple[str, ...], read: Description) -> Description:
             core.append(word)
     return replace(
         read,
-        core=_core(tuple(core)),
+        core=_found(_core(tuple(core)), told=bool(colours or materials)),
         whole=_core(found),
         colours=frozenset(colours),
         materials=frozenset(materials),
@@ -133,8 +145,19 @@ def _adjectives(found: tuple[str, ...], read: Description) -> Description:
 
 _CLAUSE = ("you", "that", "to", "for", "used", "which", "i", "we", "with", "one", "people", "from")
 """After "thing" they begin what the thing is for; no word of that is a property."""
+_FINDS = word_list("finds")
+"""What is made of metal, or is red, is called so whatever it is."""
+_STATES = frozenset(("open", "opened", "closed", "shut", "unlocked"))
+"""Said of things to be shut or opened."""
 _SILENT = ("colored", "coloured", "sized", "hand", "most", "single", "and")
 """Words before a noun that say nothing of it."""
+
+
+def _found(core: tuple[str, ...], *, told: bool) -> tuple[str, ...]:
+    """Things, for finds and the like of which a property is ``told``."""
+    finds = told and len(core) == 1 and core[0] in _FINDS
+    state = len(core) == 2 and core[0] in _STATES and core[1] in VAGUE
+    return ("things",) if finds or state else core
 
 
 def _ranking(word: str, read: Description, *, head: bool, alone: bool) -> Description | None:

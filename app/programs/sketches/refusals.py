@@ -9,7 +9,9 @@ from app.domain.program import ActionCall
 from app.programs.knowledge.hazards import hazard
 from app.programs.knowledge.names import words
 from app.programs.knowledge.solids import is_solid
+from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.order import TOOLS
+from app.programs.sketches.pouring import POUR, refuse_solid
 from app.programs.sketches.qualities import far_larger, is_container, is_tiny
 from app.programs.sketches.questions import MOST_CHOICES
 from app.programs.sketches.selection import Selection
@@ -22,6 +24,7 @@ _BESIDE_IT = re.compile(
     r"(?:it|them|that|this|those|these)\b[^,.;]* (?:in|on|into|onto|inside)\b)",
     re.I,
 )
+_IMMATERIAL = word_list("immaterial")
 _WITHIN = r"\b(?:in(?! front)|on(?! the (?:left|right))|into|onto|inside|between)\b"
 _WITHIN_VERB = frozenset(("putin", "in", "on", "stack", "pour"))
 _STATES = frozenset(("open", "opened", "closed"))
@@ -51,6 +54,8 @@ def refuse_harm(call: ActionCall, signature: ActionSignature, selection: Selecti
     if place is None or len(names) != 2 or place > 1:
         return
     thing, target = names[1 - place], names[place]
+    if call.action == POUR:
+        refuse_solid(thing)
     if call.action not in LITERAL:
         _refuse_misfit(thing, target, selection)
     if rule := hazard(thing, target):
@@ -129,6 +134,47 @@ def refuse_beside(call: SketchCall, sentence: str) -> None:
                     f"{call.action} puts things in or on {other}, not {key.replace('_', ' ')} it",
                     kind="impossible",
                 )
+
+
+def refuse_immaterial(call: SketchCall, selection: Selection) -> None:
+    """Let a call pass that is about things one can take hold of.
+
+    Raises:
+        TaskDeclined: it is about an echo, a shadow or the like of a thing.
+    """
+    first = call.arguments[0] if call.arguments else None
+    found = words(first.text) if isinstance(first, Phrase) else ()
+    if len(found) < 2 or call.action in LITERAL:
+        return
+    head = found[0] if "of" in found[1:-1] else found[-1] if found[0].endswith("'s") else ""
+    head = found[-1] if any(each.endswith("'s") for each in found[:-1]) else head
+    if head in _IMMATERIAL and not any(head in thing.words for thing in selection.things):
+        raise TaskDeclined(f"nobody can take hold of {_text(first)}", kind="impossible")
+
+
+def _text(argument: object) -> str:
+    return argument.text if isinstance(argument, Phrase) else str(argument)
+
+
+_TWO_PLACES = re.compile(
+    r"\b(?:both )?(?:in|on|into|onto|inside) (?P<one>(?:the|my|that) [\w' -]+?),? and (?:also )?(?:in|on|into|onto|inside) "
+    r"(?P<other>(?:the|my|that) [\w' -]+?),? (?:both )?(?:at the same time|at once|simultaneously|together|at one and the same time)\b",
+    re.I,
+)
+
+
+def refuse_two_places(sentence: str) -> None:
+    """Let a sentence pass that wants things in one place each.
+
+    Raises:
+        TaskDeclined: one thing is to be in two places at the same time.
+    """
+    if (match := _TWO_PLACES.search(sentence)) and match["one"] != match["other"]:
+        raise TaskDeclined(
+            f"nothing is in {match['one']} and in {match['other']} at the same time",
+            kind="impossible",
+            question=f"In {match['one']} or in {match['other']}?",
+        )
 
 
 _PUT_BESIDE = re.compile(

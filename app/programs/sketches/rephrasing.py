@@ -165,6 +165,7 @@ _INTRODUCING = word_list("introducing")
 """Words before a colon that promise a list and say nothing themselves: "my things: …", "like so: …"."""
 STAYS = re.compile(
     r"^(?:the|my|your|those|these|that|this|all the)\b[^,:]*?\b(?:can |should |must |may |shall |will )?stays?"
+    r"(?! (?:cold|cool|chilled|frozen|warm|hot|dry|moist|fresh|clean|safe|together|upright|flat|sharp|dark|crisp|hidden)\b)"
     r"(?: put| here| there| where (?:it is|they are|it's|they're)| as (?:it is|they are)| behind| home| away| out(?: of (?:it|this))?|)(?:, [^.!;]*)?\s*[.!]?$",
     re.I,
 )

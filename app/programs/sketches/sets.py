@@ -138,7 +138,7 @@ def _of_the_clock(count: int, sentence: str) -> bool:
     told = rf"\b(?:{names})\b"
     timed = (
         rf"\b(?:at|by|past|to|till|until|before|after|since|around|about|table|room|number|page|aged?|turns|is|'s)"
-        rf" (?:{names})\b(?=\s*(?:[.,;:!?)]|$|o'clock|[ap]\.?m|sharp|tonight|today|tomorrow|already|and\b|so\b|wants?\b))|"
+        rf" (?:{names})\b(?=\s*(?:[.,;:!?)]|$|o'clock|[ap]\.?m|sharp|tonight|today|tomorrow|already|and\b|so\b|wants?\b|in the (?:morning|afternoon|evening)|at night))|"
         rf"\b(?:{names})(?:[- ]year|(?: minutes| hours| days| weeks| years| o'clock|[ap]m| euros?| pounds?| dollars?)\b)"
     )
     return 0 < len(re.findall(told, sentence, re.I)) == len(re.findall(timed, sentence, re.I))

@@ -9,6 +9,7 @@ import re
 from collections.abc import Sequence
 
 from app.programs.knowledge.classes import normal
+from app.programs.sketches.crowning import crown
 from app.programs.sketches.mentions import Mention, mentions
 from app.programs.sketches.qualities import is_container
 from app.programs.sketches.things import Thing
@@ -54,7 +55,8 @@ _ALL_OF_THEM = re.compile(
     re.I,
 )
 _HIGHEST = re.compile(
-    r"\b(?:highest|uppermost|topmost|crowns?|crown the lot)\b|\bon top of (?:it all|everything|them all|all)\b|"
+    r"\b(?:highest|uppermost|topmost|crown(?:s|ing|ed)?)\b|\bon top of (?:it all|everything|them all|all)\b|"
+    r"\b(?:finish|top|cap)(?:ing)? (?:it|them|everything|the \w+)(?: all)?(?: off)? with\b|"
     r"\b(?:on|at|to)(?: the)?(?: very)? top\b(?! of)",
     re.I,
 )
@@ -102,6 +104,8 @@ def _stackable(things: Sequence[Thing], text: str) -> list[Thing]:
 def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
     """The pairs as they are told: "the saucer on the plate, the cup on the saucer"."""
     text = " ".join(sentence.lower().split())
+    highest = crown(text, found)
+    found = [each for each in found if each is not highest]
     pairs: list[Pair] = []
     for one, other in itertools.pairwise(found):
         between = text[one.end : other.start]
@@ -118,11 +122,16 @@ def _by_relation(sentence: str, found: Sequence[Mention]) -> list[Pair] | None:
             pairs.append((other.name, one.name))
     bare = all(" " not in text[each.start : each.end] for each in found)
     least = 1 if bare and _PILING.search(text) else FEWEST - 1  # "Stack red on green."
-    if len(pairs) < least or len({thing for thing, _ in pairs}) < len(pairs):
+    if (
+        len(pairs) + bool(highest) < least
+        or not pairs
+        or len({thing for thing, _ in pairs}) < len(pairs)
+    ):
         return None
     if {name for pair in pairs for name in pair} != {each.name for each in found}:
         return None
-    return _lowest_first(pairs)
+    chain = _lowest_first(pairs)
+    return [*chain, (highest.name, chain[-1][0])] if chain and highest else chain
 
 
 def _lowest_first(pairs: list[Pair]) -> list[Pair] | None:

@@ -19,8 +19,13 @@ from app.programs.knowledge.names import plain, singular, words
 from app.programs.knowledge.properties import COLOUR_WORDS, MATERIALS, SIZES
 from app.programs.knowledge.word_lists import word_list
 from app.programs.sketches.asides import without_thoughts
+from app.programs.sketches.counting_off import counted_off
+from app.programs.sketches.foreign_asides import without_reasons
 from app.programs.sketches.matching import misspelt
 from app.programs.sketches.rephrasing import rephrased
+from app.programs.sketches.speakers import without_doings
+from app.programs.sketches.timing import timeless
+from app.programs.sketches.topics import named_whole
 
 FILE = Path(__file__).parents[3] / "static" / "knowledge" / "grammar.json"
 ALIKE = 0.8
@@ -43,8 +48,14 @@ def plain_english(sentence: str, names: Sequence[str]) -> str:
     if any("\u4e00" <= letter <= "\u9fff" for letter in sentence):
         return _unspaced(sentence)
     if _is_foreign(sentence, names):
+        sentence = without_reasons(sentence)
         return rephrased(_verb_first(_glossed(together(sentence), names)))
-    return rephrased(without_thoughts(_mended(sentence, names)))
+    return rephrased(without_thoughts(_plainly(_mended(sentence, names))))
+
+
+def _plainly(sentence: str) -> str:
+    """Without what others do and when, and with the number of the others of a kind."""
+    return named_whole(counted_off(timeless(without_doings(sentence))))
 
 
 def _is_foreign(sentence: str, names: Sequence[str]) -> bool:
