@@ -351,3 +351,10 @@ def test_finds_and_coloureds_are_things_of_which_that_is_told(sketch, moved):
     objects |= {"shirt": {"color": "white"}, "ragdoll": {}, "tray": {}}
     body, _ = resolve(parse_sketch(sketch), _task(objects))
     assert [each.arguments[0] for each in body if isinstance(each, ActionCall)] == moved
+
+
+def test_a_colour_that_is_told_counts_and_not_the_one_things_have_as_a_rule():
+    objects = {"rose": {"color": "white"}, "tomato": {}, "pillow": {"color": "red"}, "tray": {}}
+    body, _ = resolve(parse_sketch("    put_on(all('red things'), 'tray')\n"), _task(objects))
+    moved = [each.arguments[0] for each in body if isinstance(each, ActionCall)]
+    assert moved == ["tomato", "pillow"]

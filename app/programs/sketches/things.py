@@ -63,6 +63,8 @@ class Thing:
             return NO
         if told and (colour_word(told) == colour or colour in words(told)):
             return YES
+        if told and colours_named(told):
+            return NO  # A white rose is no red thing, however red roses are as a rule.
         if colour in typical:
             return LIKELY
         return NO if told or typical else UNKNOWN
