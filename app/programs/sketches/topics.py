@@ -3,9 +3,8 @@
 import re
 
 from app.programs.knowledge.names import words
-from app.programs.knowledge.word_lists import word_list
+from app.programs.sketches.rereading import ORDERING
 
-ORDERING = word_list("ordering")
 _TOPIC = re.compile(
     r"^(?:well,? |right,? |so,? |look,? )?(?P<what>(?:the|my|our|your|those|these|all the) (?!other\b|rest\b)[\w'-]+(?: (?!has\b|have\b|must\b|is\b|are\b|was\b|were\b)[\w'-]+){0,2}?)"
     r"(?: (?:has|have|had|must|is|are|was|were|needs?|needed|should|can't|cannot|won't|wants?|looks?|smells?|gets?|keeps?|came|comes?|went|arrived)|'s|'ve|'re|n't)\b[^.!?;:]*[.!?;:]$",
